@@ -1,0 +1,57 @@
+"""A subject: an implementation under test."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from affinecert.errors import SubjectError, UnknownNameError
+
+BUILT_IN = ("fast", "reference", "printed", "scipy")
+
+
+@dataclass(frozen=True)
+class Subject:
+    """An implementation under test: a mapping from catalogue names to callables, and its conventions in words.
+
+    Each callable gets the map's arguments as float64 arrays with one leading batch axis, in the catalogue's
+    conventions, and returns one array or a tuple of arrays with the same leading axis. The adapter converts: a library
+    that wants quaternions or row vectors gets them there. A refusal is an exception, or NaN. Maps that the library
+    lacks are left out.
+
+    ``policies`` acquits documented answers outside a map's domain, such as the orthogonalising of any matrix: by words
+    of the reference's reason ("not a rotation"), what the library's documentation promises there instead.
+    """
+
+    name: str
+    version: str
+    maps: Mapping[str, Callable[..., Any]]
+    conventions: Mapping[str, str] = field(default_factory=dict)
+    policies: Mapping[str, str] = field(default_factory=dict)
+
+
+def load(spec: str) -> Subject:
+    """The built-in subject of that name, or the one at ``module:attribute`` (the working folder is searched too)."""
+    if ":" not in spec and spec not in BUILT_IN:
+        raise UnknownNameError("subject", spec, (*BUILT_IN, "module:attribute"))
+    place = spec if ":" in spec else f"affinecert.subjects.{spec}:subject"
+    module_name, _, attribute = place.partition(":")
+    here = str(Path.cwd())
+    if here not in sys.path:
+        sys.path.insert(0, here)
+    try:
+        module = importlib.import_module(module_name)
+    except ImportError as error:
+        hint = "" if ":" in spec else f"; an extra installs what it needs: pip install 'affinecert[{spec}]'"
+        raise SubjectError(f"cannot import the subject {spec!r}: {error}{hint}") from error
+    except Exception as error:
+        raise SubjectError(f"importing the subject {spec!r} raised {type(error).__name__}: {error}") from error
+    subject = getattr(module, attribute, None)
+    if not isinstance(subject, Subject):
+        found = f"{attribute} is a {type(subject).__name__}" if hasattr(module, attribute) else f"no {attribute}"
+        raise SubjectError(f"{spec!r} is not a Subject: {module_name} has {found}")
+    return subject
