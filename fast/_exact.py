@@ -1,0 +1,66 @@
+"""Integer arithmetic on matrices of float64, exact: for the few items whose signs double-doubles cannot tell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from affinecert.fast._kernel import Array
+
+Integers = Sequence[Sequence[int]]
+
+
+def integers(matrix: Array) -> Integers:
+    """The matrix times the least power of two that makes it integer."""
+    ratios = [[float(x).as_integer_ratio() for x in row] for row in matrix]
+    unit = max(denominator for row in ratios for _, denominator in row)
+    return [[numerator * (unit // denominator) for numerator, denominator in row] for row in ratios]
+
+
+def cofactor(a: Integers, i: int, j: int) -> int:
+    """The cofactor of an entry of a 3 x 3 matrix."""
+    p, q, r, s = (i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3
+    return a[p][r] * a[q][s] - a[p][s] * a[q][r]
+
+
+def adjugate(a: Integers) -> Integers:
+    """The adjugate of a 2 x 2 or 3 x 3 matrix."""
+    if len(a) == 2:
+        return [[a[1][1], -a[0][1]], [-a[1][0], a[0][0]]]
+    return [[cofactor(a, j, i) for j in range(3)] for i in range(3)]
+
+
+def product(a: Integers, b: Integers) -> Integers:
+    """The product of two matrices."""
+    return [[sum(x * y for x, y in zip(row, column, strict=True)) for column in zip(*b, strict=True)] for row in a]
+
+
+def determinant(a: Integers) -> int:
+    """The determinant of a 2 x 2 or 3 x 3 matrix."""
+    return product(a[:1], adjugate(a))[0][0]
+
+
+def orientation(linear: Array) -> float:
+    """1 if the determinant of a matrix is positive, else -1."""
+    return 1.0 if determinant(integers(linear)) > 0 else -1.0
+
+
+def orientation_of_vertices(vertices: Array) -> float:
+    """1 if a tetrahedron (4, 3) has positive volume, or a triangle (3, 3) an area; else -1."""
+    first, *others = integers(vertices)
+    edges = [[x - y for x, y in zip(row, first, strict=True)] for row in others]
+    if len(edges) == 2:
+        edges.append([cofactor([[0, 0, 0], *edges], 0, j) for j in range(3)])
+    return 1.0 if determinant(edges) > 0 else -1.0
+
+
+def fixed_point(affine: Array) -> list[float] | None:
+    """The fixed point (I - L)^-1 t of an affine map, rounded; None if there is none, or more than one."""
+    rows = integers(affine)
+    size, unit = len(rows) - 1, rows[-1][-1]
+    difference = [[unit * (i == j) - rows[i][j] for j in range(size)] for i in range(size)]
+    divisor = determinant(difference)
+    if divisor == 0:
+        return None
+    numerators = product(adjugate(difference), [row[-1:] for row in rows[:-1]])
+    return [float(Fraction(numerator, divisor)) for (numerator,) in numerators]
