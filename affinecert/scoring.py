@@ -1,0 +1,217 @@
+"""Scoring: one answer held against truth, block by block."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from types import MappingProxyType
+
+import numpy as np
+
+from affinecert.map import Array, Map
+from affinecert.truths import Truth
+
+UNIT = 2.0**-53
+"""Half the distance from 1 to the next float64: the unit in which errors are told."""
+
+SMALLEST_NORMAL = 2.0**-1022
+"""Below it float64 keeps no relative accuracy, so truths are measured as if they were at least this large."""
+
+LOST_HALF = 2.0**26
+"""A scaled error of half of float64's 53 bits: beyond it an answer is wrong, not degraded."""
+
+
+class Verdict(StrEnum):
+    """What is said of one answer, from best to worst."""
+
+    OK = "ok"
+    OTHER_BRANCH = "other-branch"
+    ABSENT = "absent"
+    DEGRADED = "degraded"
+    WRONG = "wrong"
+    NON_FINITE = "non-finite"
+    RAISED = "raised"
+
+    @property
+    def is_finding(self) -> bool:
+        """Whether the verdict makes a run fail."""
+        return self in FINDINGS
+
+
+NO_POLICIES: Mapping[str, str] = MappingProxyType({})
+"""Of a subject that documents no answers outside the domain."""
+
+FINDINGS = frozenset({Verdict.DEGRADED, Verdict.WRONG, Verdict.NON_FINITE, Verdict.RAISED})
+
+
+@dataclass(frozen=True)
+class BlockScore:
+    """The errors of one output block, in units of u."""
+
+    block: str
+    forward: float
+    scaled: float
+    condition: float
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a subject gave for one case: its outputs, or why there are none."""
+
+    outputs: tuple[Array, ...] | None
+    complaint: str | None = None
+
+
+@dataclass(frozen=True)
+class Score:
+    """The verdict of one case, with its errors; ``backward`` is None where the map has no inverse to measure it by."""
+
+    verdict: Verdict
+    blocks: tuple[BlockScore, ...]
+    backward: float | None
+    note: str
+
+    @property
+    def forward(self) -> float:
+        """The worst forward error over the blocks, in u."""
+        return max((block.forward for block in self.blocks), default=0.0)
+
+    @property
+    def scaled(self) -> float:
+        """The worst scaled error over the blocks, in u."""
+        return max((block.scaled for block in self.blocks), default=0.0)
+
+
+def length(array: Array) -> float:
+    """The Frobenius norm, without overflow or underflow on the way; at most the largest float64, or infinite.
+
+    It is infinite where an entry is, or is NaN.
+    """
+    largest = float(np.max(np.abs(array), initial=0.0))
+    if largest == 0.0:
+        return 0.0
+    if not math.isfinite(largest):
+        return math.inf
+    exponent = math.frexp(largest)[1]
+    with np.errstate(over="ignore", under="ignore"):
+        norm = np.ldexp(np.linalg.norm(np.ldexp(array, -exponent)), exponent)
+    return min(float(norm), sys.float_info.max)
+
+
+def quotient(numerator: float, denominator: float) -> float:
+    """The ratio of two non-negative numbers; 0/0 is 0, anything else over 0 infinite, and infinity over anything."""
+    if numerator in {0.0, math.inf}:
+        return numerator
+    return numerator / denominator if denominator > 0.0 else math.inf
+
+
+def block_score(name: str, answer: Array, high: Array, low: Array, sensitivity: float) -> BlockScore:
+    """The errors of one block: |f - truth| over u |truth|, and over u (|truth| + sensitivity).
+
+    The sensitivity is the absolute change that relative perturbations of the inputs make, that is condition times
+    |truth|; in this form the scaled error |f - truth| / (u |truth| (1 + condition)) stands at truth 0 as well.
+    """
+    with np.errstate(over="ignore", invalid="ignore", under="ignore"):
+        # Where the value is beyond float64, the same infinity is its rounding: equal, though inf - inf is NaN.
+        error = length(np.where(answer == high, -low, (answer - high) - low))
+    size = max(length(high), SMALLEST_NORMAL)
+    # Divided by u last: u times a size near the smallest normal number would underflow.
+    return BlockScore(
+        block=name,
+        forward=quotient(error, size) / UNIT,
+        scaled=quotient(error, size + sensitivity) / UNIT,
+        condition=quotient(sensitivity, size),
+    )
+
+
+COMPLEX = "complex where a real value is due"
+
+
+def _well_formed(outputs: Sequence[Array], truth: Truth) -> str | None:
+    if len(outputs) != len(truth.high):
+        return f"{len(outputs)} outputs where {len(truth.high)} are due"
+    for number, (output, due) in enumerate(zip(outputs, truth.high, strict=True)):
+        if np.iscomplexobj(output):
+            return COMPLEX
+        if output.shape != due.shape:
+            return f"output {number} has shape {output.shape} where {due.shape} is due"
+    return None
+
+
+def _undecided(entry: Map, truth: Truth) -> bool:
+    """Whether a rounding of the input changes the whole value, as it does beside the border of a domain."""
+    sizes = (length(truth.high[block.output][block.where]) for block in entry.blocks)
+    return any(k * UNIT >= max(size, SMALLEST_NORMAL) for size, k in zip(sizes, truth.sensitivity, strict=True))
+
+
+def _outside(entry: Map, answer: Answer, refusal: str, policies: Mapping[str, str]) -> Score:
+    """Outside the domain a refusal is right, raised or told by NaN or by a complex number; a silent answer is not.
+
+    Unless it is one that the subject's documentation promises.
+    """
+    if answer.outputs is None or not all(np.all(np.isfinite(o)) and np.isrealobj(o) for o in answer.outputs):
+        return Score(Verdict.OK, (), None, f"rightly refused: {refusal}")
+    for reason, policy in policies.items():
+        if reason in refusal:
+            return Score(Verdict.OK, (), None, f"outside the domain ({refusal}) a documented policy: {policy}")
+    blocks = tuple(BlockScore(block.name, math.inf, math.inf, 0.0) for block in entry.blocks)
+    return Score(Verdict.WRONG, blocks, None, f"a silent answer outside the domain: {refusal}")
+
+
+def _unmeasured(entry: Map, answer: Answer, truth: Truth) -> Score | None:
+    """The verdict where there is nothing to measure: no outputs, misshapen ones, or not finite ones."""
+    lost = tuple(BlockScore(block.name, math.inf, math.inf, 0.0) for block in entry.blocks)
+    if answer.outputs is None:
+        return Score(Verdict.RAISED, lost, None, answer.complaint or "raised")
+    complaint = _well_formed(answer.outputs, truth)
+    if complaint == COMPLEX and _undecided(entry, truth):
+        return Score(Verdict.OK, (), None, "complex, as values are at inputs that rounding cannot tell from this one")
+    if complaint is not None:
+        return Score(Verdict.WRONG, lost, None, complaint)
+    pairs = zip(answer.outputs, truth.high, strict=True)
+    if any(np.any(~np.isfinite(output) & np.isfinite(due)) for output, due in pairs):
+        return Score(Verdict.NON_FINITE, lost, None, "not finite where a number is due")
+    return None
+
+
+def score(
+    entry: Map, answer: Answer, truth: Truth, backward: float | None = None, policies: Mapping[str, str] = NO_POLICIES
+) -> Score:
+    """The verdict of one answer.
+
+    ``backward`` is how far the inverse map takes the answer from where it takes the truth, scaled, in u: an answer to a
+    logarithm that is wrong forward but right backward is another branch. ``policies`` are the subject's.
+    """
+    if truth.refusal is not None:
+        return _outside(entry, answer, truth.refusal, policies)
+    unmeasured = _unmeasured(entry, answer, truth)
+    if unmeasured is not None or answer.outputs is None:
+        return unmeasured or Score(Verdict.RAISED, (), None, "raised")
+    outputs = answer.outputs
+    blocks = tuple(
+        block_score(
+            block.name,
+            outputs[block.output][block.where],
+            truth.high[block.output][block.where],
+            truth.low[block.output][block.where],
+            sensitivity,
+        )
+        for block, sensitivity in zip(entry.blocks, truth.sensitivity, strict=True)
+    )
+    worst = max(block.scaled for block in blocks)
+    # Only a map that jumps, a logarithm, has other branches; anything else is wrong even where its inverse forgives.
+    verdict, note = _grade(worst, backward if entry.continuation else None, entry.bound)
+    return Score(verdict, blocks, backward, note)
+
+
+def _grade(scaled: float, backward: float | None, bound: float) -> tuple[Verdict, str]:
+    if scaled <= bound:
+        return Verdict.OK, ""
+    if scaled <= LOST_HALF:
+        return Verdict.DEGRADED, f"{math.log2(scaled / bound):.1f} bits beyond the bound"
+    if backward is not None and backward <= bound:
+        return Verdict.OTHER_BRANCH, "its exponential gives the input back"
+    return Verdict.WRONG, "more than half of the digits are lost"
