@@ -1,0 +1,1 @@
+"""The laws that every implementation has to keep, and the Hypothesis strategies that try them."""

@@ -1,0 +1,68 @@
+"""What a subject gave, and how large an error each part of it may have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from affinecert.catalogue.parts import LINEAR, TRANSLATION
+from affinecert.map import Array
+from affinecert.properties.inexact import CTX, Affine, Inexact, exact, norm
+from affinecert.properties.law import BadAnswer
+
+
+@dataclass(frozen=True)
+class Answer:
+    """An array of float64, and by name its parts: where each is, and the norm of the error that it may have."""
+
+    array: Array
+    parts: Mapping[str, tuple[Any, Any]]
+
+    def __getitem__(self, part: str) -> Inexact:
+        where, error = self.parts[part]
+        return Inexact(exact(self.array[where]), error)
+
+    @property
+    def whole(self) -> Inexact:
+        """The array with all of its parts together, a scalar as (1, 1)."""
+        error = CTX.norm([error for _, error in self.parts.values()])
+        return Inexact(exact(np.atleast_2d(self.array)), error)
+
+    @property
+    def affine(self) -> Affine:
+        """The affine map that a homogeneous matrix stands for; BadAnswer if its last row is not 0 ... 0 1."""
+        if not np.array_equal(self.array[-1], np.eye(len(self.array))[-1]):
+            raise BadAnswer(f"the last row is {self.array[-1].tolist()}")
+        linear = "rotation" if "rotation" in self.parts else "linear"
+        return Affine(self[linear], self["translation"])
+
+
+def rounded(value: Inexact, name: str) -> Answer:
+    """An array of rationals as float64, to be an argument; the rounding is added to its error."""
+    array = np.asarray(value.value, dtype=np.float64)
+    return Answer(array, {name: (..., value.error + norm(exact(array) - value.value))})
+
+
+def rounded_affine(value: Affine) -> Answer:
+    """A homogeneous matrix as float64, likewise."""
+    linear, translation = rounded(value.linear, "linear"), rounded(value.translation, "translation")
+    matrix = np.eye(len(translation.array) + 1)
+    matrix[LINEAR], matrix[TRANSLATION] = linear.array, translation.array
+    errors = linear.parts["linear"][1], translation.parts["translation"][1]
+    return Answer(matrix, {"linear": (LINEAR, errors[0]), "translation": (TRANSLATION, errors[1])})
+
+
+def near_rotation(matrix: Array) -> Answer:
+    """A matrix that stands for the nearest rotation, which is |R^T R - I| / 2 away, to first order."""
+    value = exact(matrix)
+    defect = norm(value.T @ value - exact(np.eye(len(matrix))))
+    return Answer(matrix, {"rotation": (..., defect / 2)})
+
+
+def near_rigid(pose: Array) -> Answer:
+    """A homogeneous matrix whose linear part stands for the nearest rotation."""
+    _, error = near_rotation(pose[LINEAR]).parts["rotation"]
+    return Answer(pose, {"rotation": (LINEAR, error), "translation": (TRANSLATION, CTX.zero)})

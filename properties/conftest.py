@@ -1,0 +1,61 @@
+"""The law tests' subject: ``pytest --pyargs affinecert.properties --affinecert-subject my.module:subject``.
+
+Without the option, or AFFINECERT_SUBJECT in the environment, the laws are tried on `reference` and on `fast`.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import pytest
+
+from affinecert.properties.answers import Maps, exactly, singly
+from affinecert.properties.check import check
+from affinecert.properties.law import Law
+from affinecert.subject import load
+
+EXAMPLES = 30
+"""Inputs a law, enough to meet most regimes of a map, few enough for all laws on two subjects in 100 s."""
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Runs each test that asks for ``maps`` on each subject."""
+    if "maps" in metafunc.fixturenames:
+        option = metafunc.config.getoption("--affinecert-subject", default=None)
+        subjects = option or os.environ.get("AFFINECERT_SUBJECT", "reference fast").split()
+        metafunc.parametrize("maps", subjects, indirect=True)
+
+
+class _Offered(dict[str, Callable[..., Any]]):
+    """The maps of a subject; a test that needs another one is skipped."""
+
+    def __missing__(self, name: str) -> Callable[..., Any]:
+        pytest.skip(f"without {name}")
+
+
+@cache
+def _maps(subject: str) -> Maps:
+    # The truths serve as the reference's answers too: they are computed once, for all subjects.
+    return _Offered(exactly() if subject == "reference" else singly(load(subject)))
+
+
+@pytest.fixture
+def maps(request: pytest.FixtureRequest) -> Maps:
+    """The maps of the subject, taking single items."""
+    return _maps(request.param)
+
+
+@pytest.fixture
+def keeps(maps: Maps) -> Callable[[Law], None]:
+    """Fails unless the subject keeps a law; skips where it lacks one of the maps."""
+
+    def keep(law: Law) -> None:
+        result = check(law, maps, EXAMPLES)
+        if result.verdict == "absent":
+            pytest.skip(result.note)
+        assert result.passed, f"{law.statement}: residual {result.worst:.3g}, {result.note}, at {result.inputs}"
+
+    return keep

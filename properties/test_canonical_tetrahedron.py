@@ -1,0 +1,16 @@
+"""Theorem 2 of bansal_tatu."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from affinecert.properties.law import Law
+from affinecert.properties.laws.canonical_tetrahedron import LAWS
+
+
+@pytest.mark.parametrize("law", LAWS, ids=[law.name for law in LAWS])
+def test_canonical_tetrahedron(law: Law, keeps: Callable[[Law], None]) -> None:
+    """The subject keeps the law."""
+    keeps(law)

@@ -1,0 +1,291 @@
+"""Each law can fail: a mapping broken for the purpose is refuted. And what `check` does with every kind of subject."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from affinecert.case import from_hex
+from affinecert.map import Array
+from affinecert.properties.answers import Maps, exactly
+from affinecert.properties.check import check
+from affinecert.properties.law import Law
+from affinecert.properties.laws import LAWS
+
+EXAMPLES = 30
+
+Function = Callable[..., Any]
+Break = Callable[[Maps], Function]
+"""Makes a broken function from the right ones."""
+
+
+@cache
+def right() -> Maps:
+    return exactly()
+
+
+def in_time(name: str, change: Callable[[Array], Array]) -> Break:
+    """The map at another time than the one asked for."""
+    return lambda maps: lambda *arguments: maps[name](*arguments[:-1], np.asarray(change(arguments[-1])))
+
+
+def scaled(name: str, factor: float) -> Break:
+    return lambda maps: lambda *arguments: factor * maps[name](*arguments)
+
+
+def nudged(name: str, index: Any, amount: float) -> Break:
+    """The map with one entry of its output moved."""
+
+    def broken(maps: Maps) -> Function:
+        def function(*arguments: Array) -> Array:
+            output: Array = np.array(maps[name](*arguments))
+            output[index] += amount
+            return output
+
+        return function
+
+    return broken
+
+
+def straight(maps: Maps) -> Function:
+    """Interpolates a matrix entry by entry."""
+    return lambda matrix, time: (1 - time) * np.eye(len(matrix)) + time * matrix
+
+
+def straight_translation(maps: Maps) -> Function:
+    """Interpolates the linear part as it should be, and the translation in a straight line."""
+
+    def power(matrix: Array, time: Array) -> Array:
+        result: Array = maps["sam.power"](matrix, time)
+        result[:-1, -1] = time * matrix[:-1, -1]
+        return result
+
+    return power
+
+
+def canonical_on_the_wrong_side(maps: Maps) -> Function:
+    """Divides the shear by the canonical tetrahedron's from the right instead of from the left."""
+    standard = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+
+    def represent(solid: Array, canonical: Array) -> tuple[Array, Array, Array]:
+        rigid, _, scale = maps["affine_lie.represent"](solid, canonical)
+        shear = maps["affine_lie.represent"](solid, standard)[1]
+        own = maps["affine_lie.represent"](canonical, standard)[1]
+        return rigid, np.triu(shear @ np.linalg.inv(own)), scale
+
+    return represent
+
+
+def sheared_wrongly(maps: Maps) -> Function:
+    """The decomposition with a shear that is off by one part in 1e12."""
+
+    def decompose(matrix: Array) -> tuple[Array, Array, Array]:
+        rigid, shear, scale = maps["affine_lie.decompose"](matrix)
+        return rigid, shear * (1 + 1e-12 * (np.arange(3) > 0)), scale
+
+    return decompose
+
+
+def unscaled_rotation(maps: Maps) -> Function:
+    """The decomposition that leaves the scale in the rotation."""
+
+    def decompose(*arguments: Array) -> tuple[Array, Array, Array]:
+        name = "affine_lie.represent" if len(arguments) == 2 else "affine_lie.decompose"
+        rigid, shear, scale = maps[name](*arguments)
+        rigid[:3, :3] *= scale
+        return rigid, shear, scale
+
+    return decompose
+
+
+def in_another_order(maps: Maps) -> Function:
+    """The product E A S for A S E."""
+
+    def compose(rigid: Array, shear: Array, scale: Array) -> Array:
+        linear = np.eye(4)
+        linear[:3, :3] = scale * shear
+        return rigid @ linear
+
+    return compose
+
+
+def transposed(maps: Maps) -> Function:
+    return lambda omega: maps["so3.exp"](omega).T
+
+
+def first_order(maps: Maps) -> Function:
+    """I + [omega]x."""
+    return lambda omega: np.eye(3) + np.cross(np.eye(3), -omega)
+
+
+def of_the_cube(name: str) -> Break:
+    """The exponential of the element times its squared length."""
+    return lambda maps: lambda element: maps[name](np.asarray(element * np.sum(element**2)))
+
+
+def without_translation(maps: Maps) -> Function:
+    """The velocity of the linear part alone."""
+
+    def velocity(matrix: Array, point: Array) -> Array:
+        linear = matrix.copy()
+        linear[:-1, -1] = 0.0
+        return np.asarray(maps["sam.velocity"](linear, point))
+
+    return velocity
+
+
+def always(maps: Maps) -> Function:
+    return lambda matrix: np.array(1.0)
+
+
+def negative(name: str) -> Break:
+    return scaled(name, -1.0)
+
+
+BROKEN: Mapping[str, tuple[str, Break]] = {
+    "volume_monotone.affine_lie": ("affine_lie.interpolate", straight),
+    "volume_monotone.sam": ("sam.power", straight),
+    "volume_kept.affine_lie": ("affine_lie.interpolate", straight),
+    "volume_kept.sam": ("sam.power", straight),
+    "isometry.affine_lie": ("affine_lie.interpolate", straight),
+    "isometry.sam": ("sam.power", straight),
+    "reversibility.affine_lie.interpolate_tetrahedra": (
+        "affine_lie.interpolate_tetrahedra",
+        in_time("affine_lie.interpolate_tetrahedra", np.square),
+    ),
+    "reversibility.affine_lie.interpolate_triangles": (
+        "affine_lie.interpolate_triangles",
+        in_time("affine_lie.interpolate_triangles", np.square),
+    ),
+    "reversibility.sam.morph": ("sam.morph", in_time("sam.morph", np.square)),
+    "canonical_tetrahedron.invariance": ("affine_lie.represent", canonical_on_the_wrong_side),
+    "canonical_tetrahedron.representation": ("affine_lie.represent", canonical_on_the_wrong_side),
+    "steadiness.affine_lie": ("affine_lie.interpolate", in_time("affine_lie.interpolate", np.square)),
+    "steadiness.sam": ("sam.velocity", without_translation),
+    "existence.culver": ("sam.exists", always),
+    "existence.region": ("sam.exists", always),
+    "decomposition.existence": ("affine_lie.decompose", sheared_wrongly),
+    "decomposition.composition": ("affine_lie.compose", in_another_order),
+    "decomposition.uniqueness": ("affine_lie.decompose", sheared_wrongly),
+    "exp_log.so3.log": ("so3.exp", transposed),
+    "exp_log.so3.exp": ("so3.exp", transposed),
+    "exp_log.so3.log_near": ("so3.log_near", scaled("so3.log_near", 1 + 1e-12)),
+    "exp_log.se3.log": ("se3.log", scaled("se3.log", 1 + 1e-12)),
+    "exp_log.se3.exp": ("se3.log", scaled("se3.log", 1 + 1e-12)),
+    "exp_log.shear.log": ("shear.log", scaled("shear.log", 1 + 1e-12)),
+    "exp_log.shear.exp": ("shear.log", scaled("shear.log", 1 + 1e-12)),
+    "exp_log.scale.log": ("scale.log", scaled("scale.log", 1 + 1e-12)),
+    "exp_log.scale.exp": ("scale.log", scaled("scale.log", 1 + 1e-12)),
+    "exp_log.sam.log": ("sam.power", in_time("sam.power", np.square)),
+    "one_parameter.so3.exp": ("so3.exp", of_the_cube("so3.exp")),
+    "one_parameter.se3.exp": ("se3.exp", of_the_cube("se3.exp")),
+    "one_parameter.shear.exp": ("shear.exp", of_the_cube("shear.exp")),
+    "one_parameter.scale.exp": ("scale.exp", of_the_cube("scale.exp")),
+    "one_parameter.sam.power": ("sam.power", straight_translation),
+    "closure.so3.exp": ("so3.exp", first_order),
+    "closure.so3.log": ("so3.log", scaled("so3.log", 2.0)),
+    "closure.se3.exp": ("se3.exp", nudged("se3.exp", (3, 0), 1e-300)),
+    "closure.se3.log": ("se3.log", scaled("se3.log", 2.0)),
+    "closure.shear.exp": ("shear.exp", nudged("shear.exp", (2, 1), 1e-300)),
+    "closure.scale.exp": ("scale.exp", negative("scale.exp")),
+    "closure.affine_lie.decompose": ("affine_lie.decompose", unscaled_rotation),
+    "closure.affine_lie.represent": ("affine_lie.represent", unscaled_rotation),
+    "closure.affine_lie.interpolate": ("affine_lie.interpolate", nudged("affine_lie.interpolate", (3, 3), 1e-15)),
+    "closure.sam.log": ("sam.log", nudged("sam.log", (-1, -1), 1e-300)),
+    "closure.sam.power": ("sam.power", nudged("sam.power", (-1, 0), 1e-300)),
+    "closure.sam.morph": ("sam.morph", nudged("sam.morph", (-1, 0), 1e-300)),
+    "equivariance.sam.power": ("sam.power", straight_translation),
+    "equivariance.sam.morph": ("sam.morph", nudged("sam.morph", (0, -1), 1e-3)),
+    "endpoints.affine_lie.interpolate": (
+        "affine_lie.interpolate",
+        in_time("affine_lie.interpolate", lambda t: t * (1 + 1e-12)),
+    ),
+    "endpoints.affine_lie.interpolate_tetrahedra": (
+        "affine_lie.interpolate_tetrahedra",
+        in_time("affine_lie.interpolate_tetrahedra", lambda t: t * (1 + 1e-12)),
+    ),
+    "endpoints.affine_lie.interpolate_triangles": (
+        "affine_lie.interpolate_triangles",
+        in_time("affine_lie.interpolate_triangles", lambda t: t * (1 + 1e-12)),
+    ),
+    "endpoints.sam.power": ("sam.power", in_time("sam.power", lambda t: t * (1 + 1e-12))),
+    "fixed_point.sam": ("sam.fixed_point", scaled("sam.fixed_point", 1 + 1e-12)),
+    "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
+}
+"""For each law a map that it needs, and how it is broken."""
+
+
+def law_named(name: str) -> Law:
+    (law,) = (law for law in LAWS if law.name == name)
+    return law
+
+
+def test_every_law_has_its_own_name_and_its_own_break() -> None:
+    assert sorted(law.name for law in LAWS) == sorted(BROKEN)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=[law.name for law in LAWS])
+def test_a_broken_mapping_is_refuted(law: Law) -> None:
+    name, make = BROKEN[law.name]
+    result = check(law, {**right(), name: make(right())}, EXAMPLES)
+    assert result.verdict == "failed"
+    assert result.worst > law.bound
+    assert result.note
+    # The counterexample is stored bit by bit, and breaks the law again.
+    inputs = tuple(from_hex(value) for value in result.inputs)
+    assert all(array.dtype == np.float64 for array in inputs)
+
+
+ISOMETRY = law_named("isometry.sam")
+ROUND_TRIP = law_named("exp_log.so3.log")
+
+
+def test_a_counterexample_is_shrunk_to_a_readable_one() -> None:
+    result = check(ROUND_TRIP, {**right(), "so3.exp": transposed(right())}, EXAMPLES)
+    (omega,) = (from_hex(value) for value in result.inputs)
+    assert np.count_nonzero(omega) == 1
+    assert float(np.abs(omega).max()) in {0.1, 1.0}
+
+
+def test_the_same_run_gives_the_same_result() -> None:
+    broken = {**right(), "sam.power": straight(right())}
+    assert check(ISOMETRY, broken, EXAMPLES) == check(ISOMETRY, broken, EXAMPLES)
+    assert check(ISOMETRY, right(), EXAMPLES) == check(ISOMETRY, right(), EXAMPLES)
+
+
+def test_a_law_without_its_maps_is_absent_and_speaks_against_nobody() -> None:
+    result = check(ROUND_TRIP, {"so3.exp": right()["so3.exp"]}, EXAMPLES)
+    assert (result.verdict, result.note, result.passed) == ("absent", "without so3.log", True)
+
+
+def raising(*arguments: Array) -> Array:
+    raise RuntimeError("no such thing here")
+
+
+@pytest.mark.parametrize(
+    ("function", "note"),
+    [
+        (raising, "sam.power raises RuntimeError: no such thing here"),
+        (lambda matrix, time: np.full_like(matrix, np.nan), "sam.power gives [[nan"),
+        (lambda matrix, time: np.zeros((2, 2)), "sam.power gives an array of shape (2, 2)"),
+        (lambda matrix, time: np.eye(len(matrix)) + 0j, "sam.power gives [[(1+0j)"),
+        (lambda matrix, time: (matrix, matrix), "sam.power gives an array of shape ("),
+        (lambda matrix, time: "matrix", "sam.power gives an array of shape ()"),
+    ],
+    ids=["raises", "nan", "shape", "complex", "two outputs", "text"],
+)
+def test_an_answer_that_is_none_breaks_the_law(function: Function, note: str) -> None:
+    result = check(ISOMETRY, {"sam.power": function}, EXAMPLES)
+    assert result.verdict == "failed"
+    assert result.worst == np.inf
+    assert result.note.startswith(note)
+
+
+def test_examples_are_counted_only_inside_the_domain() -> None:
+    result = check(ISOMETRY, right(), EXAMPLES)
+    assert 0 < result.examples <= EXAMPLES
+    assert result.worst <= 1.0
