@@ -1,0 +1,181 @@
+"""Judging a batch: the subject's answers against the truths, with backward errors; the work of one process."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+from hypothesis.configuration import set_hypothesis_home_dir
+
+from affinecert import truths
+from affinecert.answering import answers
+from affinecert.case import Case, generate, to_record
+from affinecert.catalogue import CATALOGUE
+from affinecert.certificate import CaseResult, LawRecord, Timing
+from affinecert.errors import InputError
+from affinecert.map import Map
+from affinecert.properties.answers import singly
+from affinecert.properties.check import LawResult, check
+from affinecert.properties.law import Law
+from affinecert.properties.laws import LAWS
+from affinecert.scoring import Answer, Score, Verdict, block_score, score
+from affinecert.store import default_path
+from affinecert.subject import Subject, load
+from affinecert.truths import Truth
+
+load_once = cache(load)
+
+
+def resolve(subject: str | Subject) -> Subject:
+    """The subject itself, or the one of that name, loaded once a process."""
+    return subject if isinstance(subject, Subject) else load_once(subject)
+
+
+def truths_of(cases: Sequence[Case]) -> list[Truth]:
+    """The truths of cases, computed."""
+    return [truths.compute(CATALOGUE[case.map], case.inputs) for case in cases]
+
+
+def measured(answer: Answer, truth: Truth) -> bool:
+    """Whether an answer can be taken through another map: real, finite, and of the truth's shapes."""
+    if answer.outputs is None or truth.refusal is not None or len(answer.outputs) != len(truth.high):
+        return False
+    return all(
+        not np.iscomplexobj(output) and output.shape == due.shape and bool(np.all(np.isfinite(output)))
+        for output, due in zip(answer.outputs, truth.high, strict=True)
+    )
+
+
+def backward_error(entry: Map, answer: Answer, truth: Truth, *, scaled: bool = False) -> float | None:
+    """How far the inverse map takes the answer from where it takes the truth, in u; None without an inverse.
+
+    Relative to where it takes the truth, and if ``scaled``, over 1 + the inverse's condition there as well. Taken from
+    where the truth goes, not from the input: an input off its manifold is no exponential at all.
+    """
+    if entry.inverse is None or answer.outputs is None or not measured(answer, truth):
+        return None
+    inverse = CATALOGUE[entry.inverse]
+    exact = Truth(answer.outputs, tuple(np.zeros_like(output) for output in answer.outputs), (), None)
+    try:
+        due_high, due_low = truths.image(inverse, truth)
+    except InputError:
+        # The truth's float64 underflowed or overflowed to where the inverse does not exist.
+        return None
+    try:
+        high, low = truths.image(inverse, exact)
+        sensitivity = truths.compute(inverse, answer.outputs).sensitivity if scaled else (0.0,) * len(inverse.blocks)
+    except InputError:
+        return float("inf")
+    return max(
+        block_score(
+            block.name,
+            high[block.output][block.where] + 0.0,
+            due_high[block.output][block.where] - low[block.output][block.where],
+            due_low[block.output][block.where],
+            allowed,
+        ).scaled
+        for block, allowed in zip(inverse.blocks, sensitivity, strict=True)
+    )
+
+
+def weigh(entry: Map, answer: Answer, truth: Truth, policies: Mapping[str, str]) -> Score:
+    """The score of an answer, with its backward error, which may show that it is right on another branch."""
+    judged = score(entry, answer, truth, policies=policies)
+    if judged.verdict is Verdict.WRONG and entry.continuation is not None:
+        judged = score(entry, answer, truth, backward_error(entry, answer, truth, scaled=True), policies)
+    return replace(judged, backward=backward_error(entry, answer, truth))
+
+
+def result(case: Case, judged: Score) -> CaseResult:
+    """The record of one judged case; the block is the one with the worst scaled error."""
+    worst = max(judged.blocks, key=lambda block: block.scaled, default=None)
+    return CaseResult(
+        verdict=str(judged.verdict),
+        note=judged.note,
+        block=worst.block if worst else "",
+        forward=judged.forward,
+        scaled=judged.scaled,
+        condition=worst.condition if worst else 0.0,
+        backward=judged.backward,
+        case=to_record(case),
+    )
+
+
+def judge(subject: str | Subject, cases: Sequence[Case], known: Sequence[Truth]) -> list[CaseResult]:
+    """The results of cases of one map and one shape."""
+    entry = CATALOGUE[cases[0].map]
+    asked = resolve(subject)
+    return [
+        result(case, weigh(entry, answer, truth, asked.policies))
+        for case, answer, truth in zip(cases, answers(asked, cases), known, strict=True)
+    ]
+
+
+def not_answered(case: Case, complaint: str) -> CaseResult:
+    """The record of a case whose call never came back."""
+    lost = Score(Verdict.RAISED, (), None, complaint)
+    record = result(case, lost)
+    return CaseResult(**{**record.__dict__, "forward": float("inf"), "scaled": float("inf")})
+
+
+def obey(subject: str | Subject, name: str, examples: int) -> LawRecord:
+    """The record of one law, tried on that many examples."""
+    # Hypothesis keeps notes while it shrinks: in the cache, not in the folder that somebody happens to stand in.
+    set_hypothesis_home_dir(default_path().parent / "hypothesis")
+    tried = check(_law(name), singly(resolve(subject)), examples)
+    return law_record(tried)
+
+
+def law_record(tried: LawResult) -> LawRecord:
+    """What became of a law, with the law's own words."""
+    law = _law(tried.law)
+    return LawRecord(
+        name=law.name,
+        statement=law.statement,
+        source=law.source,
+        domain=law.domain,
+        verdict=tried.verdict,
+        worst=tried.worst,
+        bound=law.bound,
+        examples=tried.examples,
+        inputs=tried.inputs,
+        note=tried.note,
+    )
+
+
+def _law(name: str) -> Law:
+    return next(law for law in LAWS if law.name == name)
+
+
+ROUND_SECONDS = 0.02
+"""A timing round lasts at least so long, thousands of times a clock's tick."""
+
+
+def time_map(subject: str | Subject, name: str, batch: int = 10_000, rounds: int = 3) -> Timing | None:
+    """The best time per item of a map on its first regime, repeated to the batch size; None if the subject refuses."""
+    entry = CATALOGUE[name]
+    function = resolve(subject).maps[name]
+    regime = entry.regimes[0]
+    cases = list(generate(entry, regime, 32))
+    columns = [np.stack(arrays) for arrays in zip(*(case.inputs for case in cases), strict=True)]
+    size, best = 1, float("inf")
+    try:
+        while True:
+            inputs = [np.resize(column, (size, *column.shape[1:])) for column in columns]
+            function(*inputs)
+            started = time.perf_counter()
+            function(*inputs)
+            elapsed = time.perf_counter() - started
+            if elapsed > ROUND_SECONDS or size >= batch:
+                break
+            size = min(size * 10, batch)
+        for _ in range(rounds):
+            started = time.perf_counter()
+            function(*inputs)
+            best = min(best, time.perf_counter() - started)
+    except Exception:
+        return None
+    return Timing(name, size, best / size * 1e9)

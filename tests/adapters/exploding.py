@@ -1,0 +1,3 @@
+"""An adapter that raises when it is imported."""
+
+raise RuntimeError("no licence")
