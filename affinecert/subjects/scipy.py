@@ -1,0 +1,146 @@
+"""SciPy: `scipy.spatial.transform` for rotations and rigid motions, `scipy.linalg` for functions of matrices.
+
+Only what SciPy itself computes is held against the truth. The adapter packs twists into matrices and back, and hands on
+a complex result as it is: where a real logarithm exists, a complex one is the finding.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import numpy as np
+import scipy
+from scipy import linalg
+from scipy.spatial.transform import RigidTransform, Rotation
+
+from affinecert.map import Array
+from affinecert.subject import Subject
+
+SHEAR_ROWS = (0, 1, 0, 1, 2)
+SHEAR_COLUMNS = (1, 1, 2, 2, 2)
+"""Where alpha_1 to alpha_5 stand in an element of G_A, [[1, α1, α3], [0, α2, α4], [0, 0, α5]]."""
+
+NEGLIGIBLE = 1e6 * np.finfo(np.float64).eps
+"""An imaginary part so small is rounding: the tolerance of `linalg.logm`, here relative to the largest entry."""
+
+
+def require_affine(affine: Array) -> None:
+    """Refuse what is no orientation-preserving affine map: `scipy.linalg` cannot, since it takes any square matrix."""
+    size = affine.shape[-1] - 1
+    if np.any(affine[:, size] != np.eye(size + 1)[size]) or np.any(np.linalg.slogdet(affine[:, :size, :size])[0] <= 0):
+        raise ValueError("not an orientation-preserving affine map")
+
+
+def logm(matrix: Array) -> Any:
+    """The matrix logarithms; the warning by which `linalg.logm` tells that a matrix is singular is its refusal."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("error", message="The logm input matrix is exactly singular")
+        return linalg.logm(matrix)
+
+
+def so3_exp(omega: Array) -> Any:
+    """The rotation matrices (N, 3, 3) of rotation vectors (N, 3)."""
+    return Rotation.from_rotvec(omega).as_matrix()
+
+
+def so3_log(rotation: Array) -> Any:
+    """The rotation vectors (N, 3) of rotation matrices (N, 3, 3)."""
+    return Rotation.from_matrix(rotation).as_rotvec()
+
+
+def se3_exp(twist: Array) -> Any:
+    """The poses (N, 4, 4) of twists (N, 6)."""
+    return RigidTransform.from_exp_coords(twist).as_matrix()
+
+
+def se3_log(pose: Array) -> Any:
+    """The twists (N, 6) of poses (N, 4, 4)."""
+    return RigidTransform.from_matrix(pose).as_exp_coords()
+
+
+def shear_exp(shear_twist: Array) -> Any:
+    """The elements (N, 3, 3) of G_A from their logarithms (N, 5)."""
+    generator = np.zeros((len(shear_twist), 3, 3))
+    generator[:, SHEAR_ROWS, SHEAR_COLUMNS] = shear_twist
+    return linalg.expm(generator)
+
+
+def shear_log(shear: Array) -> Any:
+    """The logarithms (N, 5) of elements (N, 3, 3) of G_A."""
+    return logm(shear)[:, SHEAR_ROWS, SHEAR_COLUMNS]
+
+
+def affine_lie_decompose(affine: Array) -> tuple[Array, Array, Array]:
+    """Rigid (N, 4, 4), shear (N, 3, 3) and scale (N,) of affine maps (N, 4, 4), by LAPACK's RQ factorisation.
+
+    RQ leaves the signs of the triangle's diagonal free; here they are made positive.
+    """
+    require_affine(affine)
+    rigid = np.broadcast_to(np.eye(4), affine.shape).copy()
+    shear = np.empty((len(affine), 3, 3))
+    for item, pose, normal in zip(affine, rigid, shear, strict=True):
+        triangle, rotation = linalg.rq(item[:3, :3])
+        signs = np.copysign(1.0, np.diag(triangle))
+        pose[:3, :3] = signs[:, None] * rotation
+        normal[:] = triangle * signs
+        pose[:3, 3] = linalg.solve_triangular(normal, item[:3, 3])
+    scale = shear[:, 0, 0].copy()
+    return rigid, shear / scale[:, None, None], scale
+
+
+def sam_log(affine: Array) -> Any:
+    """The logarithms (N, n, n) of affine maps (N, n, n)."""
+    require_affine(affine)
+    return logm(affine)
+
+
+def sam_power(affine: Array, t: Array) -> Any:
+    """The powers A^t (N, n, n) of affine maps (N, n, n).
+
+    SciPy computes them in complex arithmetic wherever an eigenvalue is complex, and leaves the rounding in the
+    imaginary part; that much is dropped, as everybody has to who uses it.
+    """
+    require_affine(affine)
+    powers = [linalg.fractional_matrix_power(item, float(power)) for item, power in zip(affine, t, strict=True)]
+    return np.stack(
+        [power.real if np.max(np.abs(power.imag)) <= NEGLIGIBLE * np.max(np.abs(power)) else power for power in powers]
+    )
+
+
+def sam_velocity(affine: Array, point: Array) -> Any:
+    """The velocities (N, n - 1) at points (N, n - 1) of the flow whose time-one map is A (N, n, n)."""
+    generator = sam_log(affine)
+    return (generator[:, :-1, :-1] @ point[:, :, None])[:, :, 0] + generator[:, :-1, -1]
+
+
+subject = Subject(
+    name="scipy",
+    version=scipy.__version__,
+    maps={
+        "so3.exp": so3_exp,
+        "so3.log": so3_log,
+        "se3.exp": se3_exp,
+        "se3.log": se3_log,
+        "shear.exp": shear_exp,
+        "shear.log": shear_log,
+        "affine_lie.decompose": affine_lie_decompose,
+        "sam.log": sam_log,
+        "sam.power": sam_power,
+        "sam.velocity": sam_velocity,
+    },
+    conventions={
+        "vectors": "columns; matrices act from the left; homogeneous matrices (4, 4) with last row 0 0 0 1",
+        "rotations": "Rotation: rotation vectors in radians, angle in [0, pi]; kept as unit quaternions (x, y, z, w)",
+        "branch at pi": "the sign of as_rotvec at exactly pi is that of the quaternion found, documented nowhere",
+        "rotations off the manifold": "orthogonalised by from_matrix; ValueError if the determinant is not positive",
+        "twists": "exponential coordinates (rx, ry, rz, vx, vy, vz): rotation first, as here",
+        "matrix logarithm": "linalg.logm: principal, so complex if an eigenvalue is negative; warning is refusal",
+        "matrix power": "linalg.fractional_matrix_power: principal; an imaginary part below 2e-10 is dropped",
+        "affine maps": "scipy.linalg takes any square matrix; the adapter refuses what preserves no orientation",
+        "triangular factor": "linalg.rq: signs of the diagonal are LAPACK's; the adapter makes them positive",
+    },
+    policies={
+        "not a rotation": "Rotation.from_matrix and RigidTransform.from_matrix orthogonalise what they are given"
+    },
+)
