@@ -1,0 +1,288 @@
+"""The command line. Nothing heavy is imported before a command needs it, so that --help is quick."""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from affinecert.errors import AffinecertError, SubjectError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+WIDTH = 100
+"""Columns where there is no terminal to ask."""
+
+BAD_USE = 2
+INTERRUPTED = 130
+"""Exit codes: as of click for bad use, as of a shell for Ctrl-C. Findings give 1."""
+
+KEPT = {
+    "certify": ": finished cases are kept; the same command, without --fresh, goes on from them",
+    "hunt": ": the trail is kept; the same command goes on from it",
+}
+"""What a command that is stopped leaves behind."""
+
+
+class BadUse(click.ClickException):
+    """What cannot be done as asked, told in one line."""
+
+    exit_code = BAD_USE
+
+
+class Commands(click.Group):
+    """Tells the project's own errors, and Ctrl-C, in one line without a traceback."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """See `click.Group.invoke`."""
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, io.TextIOWrapper):
+                # A terminal that knows no "∞" gets its escape, and not a traceback.
+                stream.reconfigure(errors="backslashreplace")
+        try:
+            return super().invoke(ctx)
+        except AffinecertError as error:
+            raise BadUse(str(error)) from error
+        except KeyboardInterrupt:
+            click.echo(f"stopped{KEPT.get(ctx.invoked_subcommand or '', '')}", err=True)
+            raise click.exceptions.Exit(INTERRUPTED) from None
+
+
+def _console(*, stderr: bool = False) -> Console:
+    from rich.console import Console  # noqa: PLC0415
+
+    stream = sys.stderr if stderr else sys.stdout
+    width = None if stream.isatty() or "COLUMNS" in os.environ else WIDTH
+    return Console(stderr=stderr, width=width, highlight=False, markup=False)
+
+
+maps_option = click.option("--map", "maps", metavar="GLOB", default="*", show_default=True, help="Maps, by name.")
+subject_argument = click.argument("subject", default="fast")
+FOLDER = click.Path(file_okay=False, path_type=Path)
+POSITIVE = click.FloatRange(min=0, min_open=True)
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": WIDTH})
+@click.version_option(package_name="affinecert")
+def main() -> None:
+    """Certify code for affine interpolation against arbitrary-precision truth.
+
+    SUBJECT is the implementation under test: fast (the built-in one), reference, printed, scipy, or your own as
+    module:attribute. Exit codes: 0 passed, 1 findings, 2 bad use.
+    """
+
+
+@main.command()
+@subject_argument
+@maps_option
+@click.option(
+    "--profile",
+    type=click.Choice(["quick", "standard", "thorough"]),
+    default="standard",
+    show_default=True,
+    help="How much is tried.",
+)
+@click.option("--out", type=FOLDER, help="Folder for the certificate.  [default: certificates/SUBJECT]")
+@click.option("--jobs", type=click.IntRange(min=1), help="Processes.  [default: one a core]")
+@click.option(
+    "--limit",
+    type=click.FloatRange(min=0, min_open=True),
+    metavar="SECONDS",
+    help="Time limit of a case, with two jobs or more.  [default: 20]",
+)
+@click.option("--fresh", is_flag=True, help="Do not go on from an interrupted run.")
+@click.pass_context
+def certify(
+    ctx: click.Context,
+    *,
+    subject: str,
+    maps: str,
+    profile: str,
+    out: Path | None,
+    jobs: int | None,
+    limit: float | None,
+    fresh: bool,
+) -> None:
+    """Certify SUBJECT against the truth.
+
+    Every map in every regime, and every law; prints one table, the laws and the findings.
+
+    Writes certificate.json, certificate.md and certificate.html.
+    """
+    from affinecert import campaign, catalogue, reports  # noqa: PLC0415
+    from affinecert.judging import resolve  # noqa: PLC0415
+    from affinecert.reports import terminal  # noqa: PLC0415
+    from affinecert.reports.progress import shown  # noqa: PLC0415
+
+    chosen = {entry.name for entry in catalogue.matching(maps)}
+    if chosen.isdisjoint(resolve(subject).maps):
+        raise SubjectError(f"{subject} offers no map that matches {maps!r}")
+    folder = out or Path("certificates") / re.sub(r"[^\w.-]+", ".", subject)
+    reports.prepare(folder)
+    with shown(_console(stderr=True)) as update:
+        certificate = campaign.certify(
+            subject,
+            maps=maps,
+            profile=profile,
+            jobs=jobs or os.cpu_count() or 1,
+            fresh=fresh,
+            limit=limit or campaign.CASE_SECONDS,
+            progress=lambda done, total, doing: update(done / max(total, 1), doing),
+        )
+    console = _console()
+    terminal.show(certificate, console)
+    for path in reports.write(certificate, folder):
+        console.print(f"wrote {path}", style="dim", soft_wrap=True)
+    ctx.exit(0 if certificate.passed else 1)
+
+
+@main.command(name="maps")
+@click.option("--json", "as_json", is_flag=True, help="As JSON.")
+def catalogue_(as_json: bool) -> None:
+    """List the catalogue.
+
+    Every map with its definition, source, domain and regimes.
+    """
+    from affinecert.catalogue import CATALOGUE  # noqa: PLC0415
+    from affinecert.reports import explanation  # noqa: PLC0415
+
+    if as_json:
+        click.echo(explanation.catalogue_json(CATALOGUE.values()))
+    else:
+        explanation.show_catalogue(CATALOGUE.values(), _console())
+
+
+@main.command()
+@click.argument("map_", metavar="MAP")
+@click.argument("inputs", metavar="INPUT")
+@click.option("--subject", "subjects", multiple=True, help="Another subject to ask; may be repeated.")
+def explain(map_: str, inputs: str, subjects: tuple[str, ...]) -> None:
+    """Explain one INPUT of MAP.
+
+    Shows the truth, what fast and other subjects answer, their errors and verdicts.
+
+    INPUT is a JSON list of the map's arguments, or its only argument; numbers are decimal, or hexadecimal strings:
+
+    affinecert explain so3.exp '[0.1, 0.2, "0x1.8p-2"]'
+    """
+    from affinecert import explain as explaining  # noqa: PLC0415
+    from affinecert.reports import explanation  # noqa: PLC0415
+
+    asked = tuple(dict.fromkeys(("fast", *subjects)))
+    explanation.show(explaining.explain(map_, inputs, asked), _console())
+
+
+@main.command()
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--subject", default="fast", show_default=True, help="Who is asked.")
+@click.pass_context
+def replay(ctx: click.Context, file: Path, subject: str) -> None:
+    """Judge the cases of FILE again.
+
+    FILE is a corpus file (.jsonl), or a certificate (.json), of which the worst inputs are taken.
+    """
+    from affinecert import replay as replaying  # noqa: PLC0415
+    from affinecert.judging import resolve  # noqa: PLC0415
+    from affinecert.reports import explanation  # noqa: PLC0415
+    from affinecert.scoring import Verdict  # noqa: PLC0415
+
+    results = replaying.replay(replaying.load(file), resolve(subject))
+    explanation.show_replay(results, _console())
+    ctx.exit(1 if any(Verdict(result.verdict).is_finding for result in results) else 0)
+
+
+@main.command()
+@subject_argument
+@maps_option
+@click.option(
+    "--budget",
+    type=click.FloatRange(min=0, min_open=True),
+    default=60.0,
+    show_default=True,
+    metavar="SECONDS",
+    help="Time for all maps together.",
+)
+@click.option(
+    "--evaluations", type=click.IntRange(min=1), metavar="N", help="Inputs tried of each map, instead of a budget."
+)
+@click.option("--seed", type=int, default=0, show_default=True)
+@click.option(
+    "--out", type=FOLDER, default=Path("hunts"), show_default=True, help="Folder for the catches and the trail."
+)
+@click.pass_context
+def hunt(
+    ctx: click.Context, *, subject: str, maps: str, budget: float, evaluations: int | None, seed: int, out: Path
+) -> None:
+    """Hunt for the worst inputs of SUBJECT.
+
+    Climbs from the regimes and the corpus, shrinks what it catches, and keeps it in a corpus file.
+    """
+    from time import monotonic  # noqa: PLC0415
+
+    from affinecert import hunt as hunting  # noqa: PLC0415
+    from affinecert import reports  # noqa: PLC0415
+    from affinecert.reports import explanation, view  # noqa: PLC0415
+    from affinecert.reports.progress import shown  # noqa: PLC0415
+    from affinecert.scoring import Verdict  # noqa: PLC0415
+
+    reports.prepare(out)
+    started = monotonic()
+    with shown(_console(stderr=True)) as update:
+
+        def told(tried: int, worst: float, doing: str) -> None:
+            share = None if evaluations is not None else min((monotonic() - started) / budget, 1.0)
+            update(share, f"worst {view.figure(worst)} u, {tried:,} tried, {doing}")
+
+        found = hunting.hunt(subject, maps, budget=budget, evaluations=evaluations, seed=seed, out=out, progress=told)
+    explanation.show_catches(found, subject, _console())
+    ctx.exit(1 if any(Verdict(catch.verdict).is_finding for catch in found) else 0)
+
+
+@main.command()
+@click.option("--against", metavar="REV|FILE", required=True, help="A git revision, or a baseline file (.json).")
+@maps_option
+@click.pass_context
+def bench(ctx: click.Context, against: str, maps: str) -> None:
+    """Compare fast's speed and accuracy with another version.
+
+    Base and head are run in turns, side by side. A baseline file that is not there yet is written.
+    """
+    from affinecert.benchmarks.against import compare  # noqa: PLC0415
+    from affinecert.reports import benchmark  # noqa: PLC0415
+    from affinecert.reports.progress import shown  # noqa: PLC0415
+
+    with shown(_console(stderr=True)) as update:
+        comparison = compare(against, maps, progress=lambda done, total, doing: update(done / max(total, 1), doing))
+    benchmark.show(comparison, _console())
+    ctx.exit(0 if comparison.passed else 1)
+
+
+@main.command()
+@click.option("--count", type=click.IntRange(min=1), default=10_000_000, show_default=True, help="Matrices tried.")
+@click.option("--seed", type=int, default=0, show_default=True)
+@click.option("--jobs", type=click.IntRange(min=1), help="Processes.  [default: one a core]")
+@click.pass_context
+def sweep(ctx: click.Context, count: int, seed: int, jobs: int | None) -> None:
+    """Hold fast's sam.exists against exact truth.
+
+    On random matrices, and on adversaries near the border of existence.
+    """
+    from affinecert import existence  # noqa: PLC0415
+    from affinecert.reports import explanation  # noqa: PLC0415
+    from affinecert.reports.progress import shown  # noqa: PLC0415
+
+    with shown(_console(stderr=True)) as update:
+        swept = existence.sweep(
+            count,
+            seed,
+            jobs or os.cpu_count() or 1,
+            lambda done, total: update(done / total, f"{done:,} matrices"),
+        )
+    explanation.show_sweep(swept, _console())
+    ctx.exit(1 if swept.wrong else 0)
