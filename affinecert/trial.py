@@ -1,0 +1,103 @@
+"""One evaluation of the hunt: how badly a subject fares on one input, at the least cost in truth."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from affinecert import truths
+from affinecert.answering import answers
+from affinecert.case import Case, generate
+from affinecert.errors import InputError, PrecisionError
+from affinecert.judging import backward_error
+from affinecert.map import Map
+from affinecert.scoring import LOST_HALF, Score, Verdict, score
+from affinecert.store import Store, reference_version
+from affinecert.subject import Subject
+from affinecert.truths import Truth
+
+
+def height(judged: Score) -> float:
+    """How bad an answer is: log2 of its scaled error; of its backward error, if it is right on another branch."""
+    error = judged.backward if judged.verdict is Verdict.OTHER_BRANCH and judged.backward is not None else judged.scaled
+    return math.log2(error) if error > 0 else -math.inf
+
+
+def error(height: float) -> float:
+    """The scaled error of a height."""
+    return 2.0**height if height < sys.float_info.max_exp else math.inf
+
+
+class Trial:
+    """A map of a subject, ready to be tried on inputs; truths that the store holds are not computed again."""
+
+    def __init__(self, subject: Subject, entry: Map, store: Store) -> None:
+        self.subject = subject
+        self.entry = entry
+        self.store = store
+        self._version = reference_version(entry)
+        self._context = mpmath.MPContext()
+
+    def __call__(self, case: Case, floor: float = -math.inf) -> Score | None:
+        """The score on a case; None outside the map's domain, and where the height is surely below ``floor``.
+
+        The scaled error is at most the forward error, and that needs the value alone, without the differences that the
+        sensitivity takes: most proposals fall there.
+        """
+        try:
+            return self._judged(case, floor)
+        except PrecisionError:
+            # The reference itself cannot settle this input: nothing can be said of the subject there.
+            return None
+
+    def _judged(self, case: Case, floor: float) -> Score | None:
+        answer = answers(self.subject, [case])[0]
+        truth = self.store.truths(self._version, [case.key]).get(case.key)
+        if truth is None:
+            value = self._glance(case)
+            first = score(self.entry, answer, value)
+            if value.refusal is not None or height(first) < floor:
+                return None
+            if math.isinf(first.scaled):
+                return first
+            truth = truths.compute(self.entry, case.inputs)
+        if truth.refusal is not None:
+            return None
+        judged = score(self.entry, answer, truth)
+        # Only a map with several determinations can be right on another branch.
+        if self.entry.continuation is None or judged.scaled <= LOST_HALF or math.isinf(judged.scaled):
+            return judged
+        return score(self.entry, answer, truth, backward_error(self.entry, answer, truth, scaled=True))
+
+    def warm_up(self) -> None:
+        """Has the subject answer once, for that may import and compile."""
+        answers(self.subject, list(generate(self.entry, self.entry.regimes[0], 1)))
+
+    def keep(self, case: Case) -> None:
+        """Puts the truth of a case into the store."""
+        self.store.keep_truths(self._version, {case.key: truths.compute(self.entry, case.inputs)})
+
+    def _glance(self, case: Case) -> Truth:
+        """The value at one precision, unconfirmed, with sensitivity 0; if it errs, no more than a proposal is lost."""
+        ctx = self._context
+        ctx.prec = truths.BASE
+        try:
+            value = self.entry.reference(ctx, *(_apply(ctx.mpf, array) for array in case.inputs))
+        except InputError as error:
+            return Truth((), (), (), error.reason)
+        outputs = value if isinstance(value, tuple) else (value,)
+        high = tuple(_apply(float, output).astype(np.float64) for output in outputs)
+        low = tuple(
+            _apply(float, o - _apply(ctx.mpf, h)).astype(np.float64) for o, h in zip(outputs, high, strict=True)
+        )
+        return Truth(high, low, (0.0,) * len(self.entry.blocks), None)
+
+
+def _apply(function: Callable[[Any], Any], array: Any) -> Any:
+    """The function on each entry, as an object array even of no dimension."""
+    return np.asarray(np.frompyfunc(function, 1, 1)(array), dtype=object)
