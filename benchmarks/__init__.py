@@ -1,0 +1,1 @@
+"""Timings beside accuracy: of every map, of peers, of the instrument, and of two versions of the project."""
