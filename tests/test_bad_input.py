@@ -1,0 +1,271 @@
+"""Bad input to `affinecert.fast`: each kind, to each argument of each function, and the message it gives."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from affinecert.catalogue import CATALOGUE
+from affinecert.errors import AffinecertError, InputError
+from affinecert.truths import compute
+
+Array = NDArray[np.float64]
+
+
+def plane(linear: Any, translation: Any = (0.5, -1.0)) -> Array:
+    return np.block([[np.array(linear, float), np.array(translation, float)[:, None]], [np.zeros(2), np.ones(1)]])
+
+
+def space(linear: Any, translation: Any = (0.5, -1.0, 2.0)) -> Array:
+    return np.block([[np.array(linear, float), np.array(translation, float)[:, None]], [np.zeros(3), np.ones(1)]])
+
+
+IDENTITY = np.eye(3)
+TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+STRETCH = np.array([[2.0, 1, 0], [0, 1, 1], [0, 0, 3]])
+SHEAR = np.array([[1.0, 0.5, -1], [0, 2, 1], [0, 0, 0.5]])
+CANONICAL = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 1]])
+TETRAHEDRON = np.array([[1.0, 1, 1], [3, 1, 1], [2, 4, 1], [1, 2, 3]])
+HALF = np.array(0.5)
+PLANE = plane([[2, 1], [0, 3]])
+SPACE = space(STRETCH @ TURN)
+
+GOOD: dict[str, tuple[Array, ...]] = {
+    "so3.exp": (np.array([1.0, -2, 0.5]),),
+    "so3.log": (TURN,),
+    "so3.log_near": (TURN, np.array([0.0, 0, 7])),
+    "se3.exp": (np.array([1.0, -2, 0.5, 3, 2, 1]),),
+    "se3.log": (space(TURN),),
+    "shear.exp": (np.array([1.0, 0.5, -1, 2, -0.5]),),
+    "shear.log": (SHEAR,),
+    "scale.exp": (np.array(0.5),),
+    "scale.log": (np.array(2.0),),
+    "affine_lie.decompose": (SPACE,),
+    "affine_lie.compose": (space(TURN), SHEAR, np.array(2.0)),
+    "affine_lie.interpolate": (SPACE, HALF),
+    "affine_lie.represent": (TETRAHEDRON, CANONICAL),
+    "affine_lie.interpolate_tetrahedra": (CANONICAL, TETRAHEDRON, HALF),
+    "affine_lie.interpolate_triangles": (CANONICAL[:3], TETRAHEDRON[:3], HALF),
+    "affine_lie.interpolate_orderings": (CANONICAL, TETRAHEDRON, HALF),
+    "sam.exists": (SPACE,),
+    "sam.log": (PLANE,),
+    "sam.power": (PLANE, HALF),
+    "sam.morph": (PLANE, plane([[1, 1], [0, 2]]), HALF),
+    "sam.fixed_point": (PLANE,),
+    "sam.velocity": (PLANE, np.array([1.0, 2.0])),
+}
+"""Good inputs of every map, one item each."""
+
+ARGUMENTS = [(name, number) for name, entry in CATALOGUE.items() for number in range(len(entry.arguments))]
+MATRICES = [(name, number) for name, number in ARGUMENTS if GOOD[name][number].ndim > 0]
+
+
+def function(name: str) -> Callable[..., Any]:
+    family, _, attribute = name.partition(".")
+    return getattr(importlib.import_module(f"affinecert.fast.{family}"), attribute)  # type: ignore[no-any-return]
+
+
+def with_argument(name: str, number: int, value: Any) -> tuple[Any, ...]:
+    """The good inputs with one argument replaced."""
+    good = GOOD[name]
+    return (*good[:number], value, *good[number + 1 :])
+
+
+def refused(name: str, inputs: tuple[Any, ...]) -> InputError:
+    with pytest.raises(InputError) as caught:
+        function(name)(*inputs)
+    assert isinstance(caught.value, AffinecertError)
+    assert isinstance(caught.value, ValueError)
+    assert str(caught.value).startswith(caught.value.argument)
+    return caught.value
+
+
+def test_the_table_of_good_inputs_is_complete() -> None:
+    assert set(GOOD) == set(CATALOGUE)
+
+
+@pytest.mark.parametrize("name", GOOD)
+def test_good_inputs_are_taken(name: str) -> None:
+    outputs = function(name)(*GOOD[name])
+    for output in outputs if isinstance(outputs, tuple) else (outputs,):
+        assert np.all(np.isfinite(output))
+
+
+@pytest.mark.parametrize(("name", "number"), ARGUMENTS)
+@pytest.mark.parametrize("dtype", [np.float32, np.float16, np.longdouble, np.int64, np.bool_, np.complex128, object])
+def test_other_dtypes_are_refused(name: str, number: int, dtype: Any) -> None:
+    error = refused(name, with_argument(name, number, GOOD[name][number].astype(dtype)))
+    assert error.argument == CATALOGUE[name].arguments[number].name
+    assert "dtype" in error.reason
+    assert "float64" in error.reason
+
+
+@pytest.mark.parametrize(("name", "number"), ARGUMENTS)
+@pytest.mark.parametrize("value", ["a rotation", None, [["a"]], {}, object()])
+def test_what_is_no_array_is_refused(name: str, number: int, value: Any) -> None:
+    assert refused(name, with_argument(name, number, value)).argument == CATALOGUE[name].arguments[number].name
+
+
+@pytest.mark.parametrize(("name", "number"), MATRICES)
+def test_wrong_shapes_are_refused(name: str, number: int) -> None:
+    good = GOOD[name][number]
+    for bad in (good[..., :-1], good[:-1], np.array(1.0), np.zeros((0,)), np.zeros((7, 7))):
+        error = refused(name, with_argument(name, number, bad))
+        assert "shape" in error.reason
+        assert str(bad.shape) in error.reason
+
+
+@pytest.mark.parametrize(("name", "number"), MATRICES)
+def test_ragged_lists_are_refused(name: str, number: int) -> None:
+    error = refused(name, with_argument(name, number, [[1.0, 2.0], [3.0]]))
+    assert "shape" in error.reason
+    assert error.argument == CATALOGUE[name].arguments[number].name
+
+
+@pytest.mark.parametrize("name", [name for name, entry in CATALOGUE.items() if len(entry.arguments) > 1])
+def test_batches_that_do_not_broadcast_are_refused(name: str) -> None:
+    first, second, *rest = GOOD[name]
+    error = refused(name, (np.stack([first] * 2), np.stack([second] * 3), *rest))
+    assert "shape" in error.reason
+    assert "broadcast" in error.reason
+
+
+@pytest.mark.parametrize(("name", "number"), ARGUMENTS)
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_numbers_that_are_not_finite_are_refused_with_their_index(name: str, number: int, bad: float) -> None:
+    batch = np.stack([GOOD[name][number]] * 6).reshape(2, 3, *GOOD[name][number].shape)
+    batch[(1, 2, *(0,) * GOOD[name][number].ndim)] = bad
+    error = refused(name, with_argument(name, number, batch))
+    assert (error.argument, error.index) == (CATALOGUE[name].arguments[number].name, (1, 2))
+    assert "not finite" in error.reason
+    assert str(error) == f"{error.argument}[1, 2]: {error.reason}"
+
+
+@pytest.mark.parametrize("name", GOOD)
+@pytest.mark.parametrize("batch", [(0,), (3, 0), (0, 2)])
+def test_empty_batches_are_taken(name: str, batch: tuple[int, ...]) -> None:
+    outputs = function(name)(*(np.zeros((*batch, *array.shape)) for array in GOOD[name]))
+    alone = function(name)(*GOOD[name])
+    if not isinstance(alone, tuple):
+        outputs, alone = (outputs,), (alone,)
+    for output, item in zip(outputs, alone, strict=True):
+        assert np.shape(output) == (*batch, *np.shape(item))
+
+
+def last_row(matrix: Array) -> Array:
+    bad = matrix.copy()
+    bad[-1, 0] = 1e-300
+    return bad
+
+
+def flat(vertices: Array) -> Array:
+    bad = vertices.copy()
+    bad[-1] = bad[0] + (bad[1] - bad[0]) * 0.5
+    return bad
+
+
+def mirrored(matrix: Array) -> Array:
+    bad = matrix.copy()
+    bad[:, 0] *= -1
+    return bad
+
+
+def singular(affine: Array) -> Array:
+    bad = affine.copy()
+    bad[0, :-1] = 0.0
+    return bad
+
+
+OFF = IDENTITY + 1e-5 * np.eye(3)[[1, 2, 0]]
+NO_LOGARITHM = (
+    plane([[-1, 0], [0, -2]]),
+    plane([[-1, 1], [0, -1]]),
+    space([[-1, 0, 0], [0, -2, 0], [0, 0, 3]]),
+    space([[-1, 1, 0], [0, -1, 0], [0, 0, 1]]),
+)
+
+OUTSIDE: list[tuple[str, int, Array, str]] = [
+    ("so3.log", 0, mirrored(TURN), "not a rotation"),
+    ("so3.log", 0, 2 * TURN, "not a rotation"),
+    ("so3.log", 0, OFF, "not a rotation"),
+    ("so3.log", 0, np.zeros((3, 3)), "not a rotation"),
+    ("so3.log_near", 0, mirrored(TURN), "not a rotation"),
+    ("so3.log_near", 0, OFF, "not a rotation"),
+    ("se3.log", 0, space(mirrored(TURN)), "not a rotation"),
+    ("se3.log", 0, space(OFF), "not a rotation"),
+    ("se3.log", 0, last_row(space(TURN)), "last row"),
+    ("shear.log", 0, np.diag([1.0, -1, 1]), "not positive"),
+    ("shear.log", 0, np.diag([1.0, 1, 0]), "not positive"),
+    ("shear.log", 0, np.diag([1.0, 1, -0.0]), "not positive"),
+    ("shear.log", 0, 2 * SHEAR, "not a shear"),
+    ("shear.log", 0, SHEAR + 1e-300 * np.eye(3)[::-1], "not a shear"),
+    ("scale.log", 0, np.array(0.0), "not positive"),
+    ("scale.log", 0, np.array(-1.0), "not positive"),
+    ("scale.log", 0, np.array(-5e-324), "not positive"),
+    ("affine_lie.compose", 0, last_row(space(TURN)), "last row"),
+    ("affine_lie.compose", 0, space(mirrored(TURN)), "not a rotation"),
+    ("affine_lie.compose", 1, np.diag([1.0, -1, 1]), "not positive"),
+    ("affine_lie.compose", 2, np.array(0.0), "not positive"),
+    ("affine_lie.compose", 2, np.array(-2.0), "not positive"),
+    ("affine_lie.represent", 0, flat(TETRAHEDRON), "degenerate"),
+    ("affine_lie.represent", 0, mirrored(TETRAHEDRON), "degenerate"),
+    ("affine_lie.represent", 1, flat(CANONICAL), "degenerate"),
+    ("affine_lie.represent", 1, mirrored(CANONICAL), "degenerate"),
+    ("affine_lie.interpolate_tetrahedra", 0, flat(CANONICAL), "degenerate"),
+    ("affine_lie.interpolate_tetrahedra", 1, mirrored(TETRAHEDRON), "degenerate"),
+    ("affine_lie.interpolate_orderings", 0, flat(CANONICAL), "degenerate"),
+    ("affine_lie.interpolate_orderings", 1, mirrored(TETRAHEDRON), "degenerate"),
+    ("affine_lie.interpolate_triangles", 0, flat(CANONICAL[:3]), "degenerate"),
+    ("affine_lie.interpolate_triangles", 1, np.zeros((3, 3)), "degenerate"),
+    *((name, 0, singular(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
+    *((name, 0, mirrored(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
+    *((name, 0, last_row(SPACE), "last row") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
+    *((name, 0, singular(PLANE), "determinant") for name in ("sam.exists", "sam.log", "sam.power", "sam.velocity")),
+    *((name, 0, mirrored(PLANE), "determinant") for name in ("sam.exists", "sam.log", "sam.power", "sam.velocity")),
+    *((name, 0, last_row(PLANE), "last row") for name in ("sam.exists", "sam.log", "sam.power", "sam.velocity")),
+    *((name, 0, bad, "no real logarithm") for name in ("sam.log", "sam.power") for bad in NO_LOGARITHM),
+    *(("sam.velocity", 0, bad, "no real logarithm") for bad in NO_LOGARITHM[:2]),
+    ("sam.morph", 0, singular(PLANE), "determinant"),
+    ("sam.morph", 1, mirrored(PLANE), "determinant"),
+    ("sam.morph", 0, last_row(PLANE), "last row"),
+    ("sam.morph", 1, last_row(PLANE), "last row"),
+    ("sam.morph", 1, plane(np.array(PLANE)[:2, :2] @ [[-1, 0], [0, -2]]), "no real logarithm"),
+    ("sam.fixed_point", 0, plane(np.eye(2)), "fixed point"),
+    ("sam.fixed_point", 0, space([[1, 0, 0], [0, 2, 0], [0, 0, 3]]), "fixed point"),
+    ("sam.fixed_point", 0, last_row(PLANE), "last row"),
+]
+"""Inputs outside the domain: map, number of the argument, its value, and what the message says."""
+
+
+@pytest.mark.parametrize(("name", "number", "value", "reason"), OUTSIDE)
+def test_outside_the_domain_fast_refuses_and_names_the_item(name: str, number: int, value: Array, reason: str) -> None:
+    inputs = with_argument(name, number, value)
+    error = refused(name, inputs)
+    assert reason in error.reason
+    assert error.index == ()
+    # sam.log is given a plane map elsewhere in the table; a batch must be of one kind.
+    good = GOOD[name] if GOOD[name][number].shape == value.shape else inputs
+    if good is not inputs:
+        batch = tuple(np.stack([one, one, two]) for one, two in zip(good, inputs, strict=True))
+        error = refused(name, batch)
+        assert reason in error.reason
+        assert error.index == (2,)
+
+
+@pytest.mark.parametrize(("name", "number", "value", "reason"), OUTSIDE)
+def test_outside_the_domain_the_reference_refuses_for_the_same_reason(
+    name: str, number: int, value: Array, reason: str
+) -> None:
+    refusal = compute(CATALOGUE[name], with_argument(name, number, value)).refusal
+    assert refusal is not None
+    assert reason in refusal
+
+
+def test_numbers_and_lists_of_numbers_are_taken() -> None:
+    np.testing.assert_array_equal(function("so3.exp")([1, 0, 0]), function("so3.exp")(np.array([1.0, 0.0, 0.0])))
+    np.testing.assert_array_equal(function("scale.log")(2), np.log(2.0))
