@@ -33,8 +33,14 @@ def here(function: Callable[..., Any], *args: Any, timeout: float | None = None)
     return future
 
 
-def _leave_interrupts_to_the_parent() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+@contextmanager
+def _interrupts_blocked() -> Iterator[None]:
+    """Blocks Ctrl-C for the threads and processes started meanwhile: it is the parent's to answer."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager
@@ -64,13 +70,16 @@ def executor(jobs: int) -> Iterator[Executor]:
     context = multiprocessing.get_context("spawn")
     with (
         _one_thread_a_process(),
-        ProcessPool(max_workers=jobs, initializer=_leave_interrupts_to_the_parent, context=context) as pool,
+        ProcessPool(max_workers=jobs, context=context) as pool,
     ):
 
         def submit(function: Callable[..., Any], *args: Any, timeout: float | None = None) -> Future[Any]:
             future: Future[Any] = pool.schedule(function, args=args, timeout=timeout)
             return future
 
+        with _interrupts_blocked():
+            # Asked whether it is active, the pool starts its threads; they and the processes inherit what is blocked.
+            pool.active  # noqa: B018
         try:
             yield submit
         except BaseException:
