@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,9 @@ from affinecert.case import from_hex
 from affinecert.errors import InputError
 from affinecert.map import Argument, Array, Map
 from affinecert.truths import Truth
+
+Shape = tuple[int | str, ...]
+"""Sizes, and names of sizes."""
 
 
 def truth(name: str, *inputs: ArrayLike) -> Truth:
@@ -64,18 +68,23 @@ def check_shapes(entry: Map, inputs: Sequence[Array]) -> None:
     if len(inputs) != len(entry.arguments):
         raise InputError("inputs", f"{len(inputs)} arguments where {len(entry.arguments)} are due")
     shapes = [array.shape for array in inputs]
-    fitting = [_shapes(entry, size) for size in (3, 4)]
+    fitting = [_shapes(entry, shapes, plane_or_space) for plane_or_space in ({"n": 3, "d": 2}, {"n": 4, "d": 3})]
     # The reading that fits furthest is the one that was meant; what is due at its first misfit is told.
     furthest = max(_misfit(shapes, due) for due in fitting)
     if furthest < len(shapes):
-        choice = dict.fromkeys(str(due[furthest]) for due in fitting if _misfit(shapes, due) == furthest)
+        choice = dict.fromkeys(_told(due[furthest]) for due in fitting if _misfit(shapes, due) == furthest)
         reason = f"shape {shapes[furthest]} where {' or '.join(choice)} is due"
         raise InputError(entry.arguments[furthest].name, reason)
 
 
-def _misfit(shapes: Sequence[tuple[int, ...]], due: Sequence[tuple[int, ...]]) -> int:
+def _misfit(shapes: Sequence[Shape], due: Sequence[Shape]) -> int:
     """The first place where two lists of shapes differ; their length if they do not."""
     return next((place for place, pair in enumerate(zip(shapes, due, strict=True)) if pair[0] != pair[1]), len(due))
+
+
+def _told(shape: Shape) -> str:
+    """A shape as it is written, names of sizes without quotes."""
+    return str(shape).replace("'", "")
 
 
 def _depth(value: Any) -> int:
@@ -93,10 +102,22 @@ def _array(argument: Argument, value: Any) -> Array:
     return array
 
 
-def _shapes(entry: Map, size: int) -> tuple[tuple[int, ...], ...]:
-    """The shapes of a map's arguments in the plane (size 3) or in space (4); a size is a number, "n" or "n-1"."""
+def _shapes(entry: Map, shapes: Sequence[Shape], known: Mapping[str, int]) -> list[Shape]:
+    """The shapes of a map's arguments, as far as these tell: a name of a size is settled where it first stands alone.
 
-    def extent(written: int | str) -> int:
-        return written if isinstance(written, int) else size + int(written.removeprefix("n") or 0)
+    A size is a number, a name, or a name and what is added or taken away ("n-1", "keys+1").
+    """
+    sizes = dict(known)
+    for argument, shape in zip(entry.arguments, shapes, strict=True):
+        for written, found in zip(argument.shape, shape, strict=False):
+            if isinstance(written, str) and written.isidentifier() and isinstance(found, int):
+                sizes.setdefault(written, found)
+    return [tuple(extent(size, sizes) for size in argument.shape) for argument in entry.arguments]
 
-    return tuple(tuple(map(extent, argument.shape)) for argument in entry.arguments)
+
+def extent(written: int | str, sizes: Mapping[str, int]) -> int | str:
+    """A size of a shape as a number, or as it is written while its name is not settled."""
+    if isinstance(written, int):
+        return written
+    name = re.split("[+-]", written)[0]
+    return sizes[name] + int(written.removeprefix(name) or 0) if name in sizes else written

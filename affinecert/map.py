@@ -28,7 +28,10 @@ class Group:
 
 @dataclass(frozen=True)
 class Argument:
-    """One input of a map. A size ``"n"`` in ``shape`` is 3 in the plane and 4 in space (homogeneous matrices)."""
+    """One input of a map. A size ``"n"`` in ``shape`` is 3 in the plane and 4 in space (homogeneous matrices), ``"d"``
+    2 and 3 (linear ones); any other name is a number of things, and may be different for every input. All cases of
+    one regime have one shape.
+    """
 
     name: str
     shape: tuple[int | str, ...]
@@ -75,7 +78,8 @@ class Map:
     nearest to the value ``base`` (given for the logarithms, which jump: their condition is that of the branch).
     ``inverse`` names the map that undoes it, for the backward error and the verdict other-branch. ``accuracy`` is the
     scaled error that `fast` keeps; ``bound`` the one up to which a verdict is ok. ``cost`` is the time of one
-    reference evaluation relative to so3.exp.
+    reference evaluation relative to so3.exp. ``remark`` is what a reader of the map's errors should know: how its
+    condition is taken where that is not plain, and where `fast` is less accurate and why.
     """
 
     name: str
@@ -93,6 +97,7 @@ class Map:
     accuracy: float = 4.0
     bound: float = 16.0
     cost: float = 1.0
+    remark: str = ""
 
     @property
     def family(self) -> str:
