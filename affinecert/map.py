@@ -28,9 +28,10 @@ class Group:
 
 @dataclass(frozen=True)
 class Argument:
-    """One input of a map. A size ``"n"`` in ``shape`` is 3 in the plane and 4 in space (homogeneous matrices), ``"d"``
-    2 and 3 (linear ones); any other name is a number of things, and may be different for every input. All cases of
-    one regime have one shape.
+    """One input of a map.
+
+    A size ``"n"`` in ``shape`` is 3 in the plane and 4 in space (homogeneous matrices), ``"d"`` 2 and 3 (linear ones);
+    any other name is a number of things, and may differ from input to input. All cases of a regime have one shape.
     """
 
     name: str
