@@ -18,7 +18,6 @@ from affinecert.fast._double_double import (
     divide,
     multiply,
     multiply_add,
-    scaled,
     square_root,
     subtract,
 )
@@ -44,14 +43,10 @@ def identity(size: int) -> Numbers:
 
 @compiled
 def _tangent(difference: complex, coupling: complex) -> complex:
-    """The tangent t, at most 1, of the rotation that uncouples two coordinates: t^2 + t difference / coupling = 1.
-
-    It is 0 if both are too small to be squared.
-    """
-    twice = scaled(coupling, 2.0)
+    """The tangent t, at most 1, of the rotation that uncouples two coordinates: t^2 + t difference / coupling = 1."""
+    exponent = math.frexp(max(abs(difference.real), abs(coupling.real)))[1]
+    difference, twice = shifted(difference, -exponent), shifted(coupling, 1 - exponent)
     root = square_root(multiply_add(difference, difference, multiply(twice, twice)))
-    if root.real == 0.0:
-        return 0j
     return divide(twice, add(difference, root) if difference.real >= 0.0 else subtract(difference, root))
 
 
