@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from affinecert.reference import _domain, _polar, _turns, affine_lie, quaternion, sam, se3, so3
+from affinecert.reference import _domain, _turns, affine_lie, quaternion, sam, se3, so3
 from affinecert.reference._branches import continued, nearest
 from affinecert.reference._exact import determinant, integers
 from affinecert.reference._functions import Function
@@ -77,7 +77,7 @@ def asap(ctx: Context, start: Array, end: Array, t: Array, near: Array | None = 
     Rossignac and Vinacua, section 3.3.2; Kaji and others, equation 3, for the linear part.
     """
     with _extra_precision(ctx, start, end, t):
-        rotation, stretch = _polar.factors(ctx, _quotient(ctx, end, start))
+        rotation, stretch = _turns.factors(ctx, _quotient(ctx, end, start))
         grown = _of_symmetric(ctx, stretch, scalar_power(ctx, t[()])) @ start[:-1, :-1]
         turns = _turns.powers(ctx, rotation, t[()])
         return nearest(ctx, near, (_about_barycentre(ctx, start, end, t, turn @ grown) for turn in turns))
@@ -234,7 +234,7 @@ def _mixed(first: Array, last: Array, t: Array) -> Array:
 
 def _polar_factors(ctx: Context, *poses: Array) -> list[tuple[Array, Array]]:
     """Rotation and stretch of each pose."""
-    return [_polar.factors(ctx, pose[:-1, :-1]) for pose in poses]
+    return [_turns.factors(ctx, pose[:-1, :-1]) for pose in poses]
 
 
 def _of_symmetric(ctx: Context, matrix: Array, f: Function) -> Array:
@@ -244,7 +244,7 @@ def _of_symmetric(ctx: Context, matrix: Array, f: Function) -> Array:
 
 def _rigid_as_possible(ctx: Context, start: Array, end: Array, t: Array) -> Iterator[Array]:
     """The linear parts of `arap`."""
-    rotation, stretch = _polar.factors(ctx, _quotient(ctx, end, start))
+    rotation, stretch = _turns.factors(ctx, _quotient(ctx, end, start))
     grown = _mixed(identity(ctx, len(stretch)), stretch, t) @ start[:-1, :-1]
     return (turn @ grown for turn in _turns.powers(ctx, rotation, t[()]))
 

@@ -83,15 +83,19 @@ def continue_log_near(ctx: Context, base: Array, rotation: Array, near: Array) -
 
 
 def project(ctx: Context, name: str, matrix: Array) -> Array:
-    """The rotation nearest to a matrix B in the Frobenius norm, (3, 3) -> (3, 3): its orthogonal polar factor.
+    """The rotation nearest to a matrix that is one to within 1e-6, (3, 3) -> (3, 3). Raises InputError otherwise."""
+    _domain.rotation(ctx, name, matrix, matrix.T @ matrix)
+    return nearest(ctx, matrix)
+
+
+def nearest(ctx: Context, matrix: Array) -> Array:
+    """The rotation nearest to a matrix B, det B > 0, in the Frobenius norm: its orthogonal polar factor.
 
     Markley, Attitude determination using vector observations: a fast optimal matrix algorithm (1993): with lambda, the
     sum of the singular values, the largest root of (x^2 - ||B||^2)^2 - 8 x det B - 4 ||adj B||^2, the rotation is
     ((kappa + ||B||^2) B + lambda adj(B)^T - B B^T B) / (kappa lambda - det B), kappa = (lambda^2 - ||B||^2) / 2.
-    Raises InputError if B is no rotation to within 1e-6.
     """
     gram = matrix.T @ matrix
-    _domain.rotation(ctx, name, matrix, gram)
     cofactors = array([cross(matrix[1], matrix[2]), cross(matrix[2], matrix[0]), cross(matrix[0], matrix[1])])
     square, determinant = gram.trace(), dot(ctx, matrix[0], cofactors[0])
     total = _sum_of_singular_values(ctx, square, determinant, dot(ctx, cofactors.flat, cofactors.flat))
@@ -104,8 +108,8 @@ def project(ctx: Context, name: str, matrix: Array) -> Array:
 def _sum_of_singular_values(ctx: Context, square: Number, determinant: Number, cofactor_square: Number) -> Number:
     """The largest root of (x^2 - square)^2 - 8 x determinant - 4 cofactor_square, from above by Newton's method.
 
-    From sqrt(3 square), which no sum of three numbers of that sum of squares exceeds, the steps only go down, and
-    quadratically, for the root near 3 is simple.
+    From sqrt(3 square), which no sum of three numbers of that sum of squares exceeds, the steps only go down, and in the
+    end quadratically, for the root is simple.
     """
     x = ctx.sqrt(3 * square)
     tolerance = ctx.ldexp(x, 4 - ctx.prec)
