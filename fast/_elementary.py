@@ -82,6 +82,12 @@ def exponential(x: complex) -> complex:
 
 
 @compiled
+def exponential_less_one(x: complex) -> complex:
+    """The difference e^x - 1, relative to itself."""
+    return _exponential_less_one(x) if abs(x.real) < 0.35 else subtract(exponential(x), ONE)
+
+
+@compiled
 def split_exponential(x: complex) -> tuple[complex, int]:
     """The exponential as a number in [0.7, 1.42] and the exponent of a power of two, however large."""
     exponent = min(max(np.rint(x.real / LOG_2.real), -MOST_SPLIT_EXPONENT), MOST_SPLIT_EXPONENT)
