@@ -1,7 +1,8 @@
-"""How far a point gets on a spiral: the powers of similarities, as pairs.
+"""How far and how fast a point gets on a spiral: powers and logarithms of similarities, as pairs.
 
 A similarity W that moves p by d moves it by g(log z) d under W^t, where g(l) = (e^(t l) - 1) / (e^l - 1) and z is W's
-scale along its axis, and as a complex number its scale and turn in the plane across.
+scale along its axis, and as a complex number its scale and turn in the plane across. The velocity with which it leaves p
+is h(log z) d, h(l) = l / (e^l - 1).
 """
 
 from __future__ import annotations
@@ -9,12 +10,15 @@ from __future__ import annotations
 import numpy as np
 
 from affinecert.fast import _wide as wide
-from affinecert.fast._double_double import add, divide, multiply, multiply_add, scaled, subtract, times
+from affinecert.fast._double_double import ONE, add, divide, multiply, multiply_add, scaled, subtract, times
 from affinecert.fast._elementary import exponential, exponential_less_one, sine_cosine
 from affinecert.fast._kernel import Array, compiled, kernel
 from affinecert.fast._stages import run
 
 NUMBER = (2,)
+
+ComplexNumbers = tuple[Array, Array]
+"""Real and imaginary parts, pairs."""
 
 
 @compiled
@@ -30,30 +34,45 @@ def _complex_exponential_less_one(log: complex, angle: complex) -> tuple[complex
     return real, scaled(multiply(grown, multiply(half_sine, half_cosine)), 2.0)
 
 
-@kernel(inputs={"log": NUMBER, "angle": NUMBER, "t": ()}, outputs=(NUMBER, NUMBER))
-def _progress(log: Array, angle: Array, t: float, real: Array, imaginary: Array, _status: Array) -> None:
-    l, a = complex(log[0], log[1]), complex(angle[0], angle[1])
-    x, y = _complex_exponential_less_one(l, a)
-    u, v = _complex_exponential_less_one(times(l, t), times(a, t))
+@compiled
+def _quotient(u: complex, v: complex, x: complex, y: complex, square: complex) -> tuple[complex, complex]:
+    """The quotient (u + i v) / (x + i y), the square of the divisor's size being given."""
+    real = divide(add(multiply(u, x), multiply(v, y)), square)
+    return real, divide(subtract(multiply(v, x), multiply(u, y)), square)
+
+
+@kernel(inputs={"log": NUMBER, "angle": NUMBER, "t": ()}, outputs=(NUMBER, NUMBER, NUMBER, NUMBER))
+def _progress(
+    log: Array, angle: Array, t: float, real: Array, imaginary: Array, speed: Array, drift: Array, _status: Array
+) -> None:
+    """Real and imaginary parts of g and of h."""
+    a, b = complex(log[0], log[1]), complex(angle[0], angle[1])
+    x, y = _complex_exponential_less_one(a, b)
+    u, v = _complex_exponential_less_one(times(a, t), times(b, t))
     square = multiply_add(x, x, multiply(y, y))
+    # Where the square underflows g is t to the last bit, and h is 1.
+    first, second, third, fourth = complex(t, 0.0), 0j, ONE, 0j
     if square.real > 0.0:
-        first = divide(add(multiply(u, x), multiply(v, y)), square)
-        second = divide(subtract(multiply(v, x), multiply(u, y)), square)
-    else:
-        # So small that its square underflows: the quotient is t to the last bit.
-        first, second = complex(t, 0.0), 0j
-    real[0], real[1] = first.real, first.imag
-    imaginary[0], imaginary[1] = second.real, second.imag
+        first, second = _quotient(u, v, x, y, square)
+        third, fourth = _quotient(a, b, x, y, square)
+    real[0], real[1], imaginary[0], imaginary[1] = first.real, first.imag, second.real, second.imag
+    speed[0], speed[1], drift[0], drift[1] = third.real, third.imag, fourth.real, fourth.imag
 
 
-def progress(log: Array, angle: Array, t: Array) -> tuple[Array, Array]:
-    """Real and imaginary part of (z^t - 1) / (z - 1) for the z of that logarithm of its size and that angle; t at 1."""
-    real, imaginary = run(_progress, log, angle, t)
+def progress(log: Array, angle: Array, t: Array) -> ComplexNumbers:
+    """The quotient (z^t - 1) / (z - 1), z of that logarithm of its size and of that angle; t for z = 1."""
+    real, imaginary, _, _ = run(_progress, log, angle, t)
     return real, imaginary
 
 
-def complex_product(a: tuple[Array, Array], b: tuple[Array, Array]) -> tuple[Array, Array]:
-    """The product of complex numbers, each its real and its imaginary part."""
+def rate(log: Array, angle: Array) -> ComplexNumbers:
+    """The quotient log(z) / (z - 1), z of that logarithm of its size and of that angle; 1 for z = 1."""
+    _, _, real, imaginary = run(_progress, log, angle, np.array(0.0))
+    return real, imaginary
+
+
+def complex_product(a: ComplexNumbers, b: ComplexNumbers) -> ComplexNumbers:
+    """The product of complex numbers."""
     real = wide.subtract(wide.multiply(a[0], b[0]), wide.multiply(a[1], b[1]))
     return real, wide.add(wide.multiply(a[0], b[1]), wide.multiply(a[1], b[0]))
 
@@ -66,12 +85,21 @@ def spiral(turn: Array, log_ratio: Array, t: Array, way: Array) -> Array:
     if turn.shape[-2] == 1:
         grown = progress(log_ratio, turn[..., 0, :], t)
         return np.stack(complex_product(grown, (way[..., 0, :], way[..., 1, :])), axis=-2)
-    length, axis = direction(turn)
-    along = wide.multiply(axis, _inner(axis, way)[..., None, :])
-    across = wide.subtract(way, along)
-    real, imaginary = progress(log_ratio, length, t)
-    straight, _ = progress(log_ratio, np.zeros_like(length), t)
-    parts = ((straight, along), (real, across), (imaginary, _cross(axis, across)))
+    angle, axis = direction(turn)
+    return _about(axis, progress(log_ratio, np.zeros_like(angle), t)[0], progress(log_ratio, angle, t), way)
+
+
+def velocity(turn: Array, log_ratio: Array, way: Array) -> Array:
+    """The velocity v with which W^t moves a point of space that W moves by ``way``, both (..., 3, 2), as in `spiral`."""
+    angle, axis = direction(turn)
+    return _about(axis, rate(log_ratio, np.zeros_like(angle))[0], rate(log_ratio, angle), way)
+
+
+def _about(axis: Array, straight: Array, turned: ComplexNumbers, x: Array) -> Array:
+    """The vector x times a real number along an axis, and in the plane across times a complex one."""
+    along = wide.multiply(axis, _inner(axis, x)[..., None, :])
+    across = wide.subtract(x, along)
+    parts = ((straight, along), (turned[0], across), (turned[1], _cross(axis, across)))
     first, second, third = (wide.multiply(part, factor[..., None, :]) for factor, part in parts)
     return wide.add(wide.add(first, second), third)
 

@@ -24,16 +24,18 @@ from affinecert.fast import _turns, affine_lie, sam
 from affinecert.fast import _quaternions as quaternions
 from affinecert.fast import _wide as wide
 from affinecert.fast._kernel import Array, checked
-from affinecert.fast._spirals import complex_product, progress, spiral
+from affinecert.fast._rotation import ORTHOGONALITY
+from affinecert.fast._spirals import complex_product, direction, progress, spiral, velocity
 from affinecert.fast._spectrum import NONE
 from affinecert.fast._stages import refuse
 from affinecert.fast._wide_affine import affine_exponential, affine_logarithm
 from affinecert.fast._wide_polar import polar
-from affinecert.fast._wide_rotation import ROUNDING, nearest_rotation, require_rotation
+from affinecert.fast._wide_rotation import PI, ROUNDING, TWO_PI, nearest_rotation, require_rotation
 from affinecert.fast._wide_symmetric import symmetric_exponential, symmetric_logarithm, symmetric_power
 
 DETERMINANT = "the determinant of the linear part is not positive"
 LAST_ROW = "the last row is not 0 ... 0 1"
+NOT_SIMILAR = "not a similarity: L^T L is further than 1e-6 from I, for L of determinant 1"
 
 
 class _Way(NamedTuple):
@@ -318,6 +320,55 @@ def _vertices(pose: Array) -> tuple[Array, Array]:
     return edges, origin
 
 
+def sim(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
+    """exp((1 - t) X + t Y) for similarities B and C of space, n = 4: X = `sim3.log`(B), Y = `sim3.log_next`(C, X).
+
+    Gallier, Allen-Blanchette and Leonardos, section 5. B and C stand for the similarities of the nearest rotations,
+    which the ends are then. Raises InputError if one is no similarity to within 1e-6.
+    """
+    way = _way(start, end, t, (4,))
+    (first, first_log), (last, last_log) = (
+        _turn_and_growth(*pair) for pair in (("start", way.first), ("end", way.last))
+    )
+    last = _next(last, first)
+    turn = _mixed(first, last, way.t[..., None])
+    velocities = velocity(first, first_log, way.origin), velocity(last, last_log, way.goal)
+    growth = _mixed(first_log, last_log, way.t)
+    linear = wide.add(_cross_matrix(turn), wide.multiply(wide.widen(np.eye(3)), growth[..., None, None, :]))
+    return wide.rounded(affine_exponential(wide.tangent(linear, _mixed(*velocities, way.t[..., None]))))
+
+
+def _turn_and_growth(name: str, linear: Array) -> tuple[Array, Array]:
+    """The principal rotation vector of a similarity, and the logarithm of its scale; refuses what is none."""
+    rotation, stretch = polar(linear)
+    log_scale = _log_scale(stretch)
+    unit = wide.multiply(stretch, wide.exponential(-log_scale)[..., None, None, :])
+    defect = wide.product(unit, unit)[..., 0] - np.eye(3)
+    good = (defect * defect).sum(axis=(-2, -1)) <= ORTHOGONALITY**2
+    refuse(good.astype(np.float64), 0.0, name, NOT_SIMILAR, good.shape)
+    return _turns.logarithm(rotation), log_scale
+
+
+def _next(turn: Array, previous: Array) -> Array:
+    """Of a principal rotation vector and the one of the same rotation the other way round, the one nearer to another.
+
+    The principal one in a tie.
+    """
+    angle, axis = direction(turn)
+    # The middle of the two is at the angle - pi.
+    beyond = wide.subtract(wide.subtract(angle, PI), quaternions.inner(axis, previous))[..., 0]
+    other = wide.multiply(axis, wide.subtract(angle, TWO_PI)[..., None, :])
+    return np.where(((angle[..., 0] > 0.0) & (beyond > ROUNDING))[..., None, None], other, turn)
+
+
+def _cross_matrix(x: Array) -> Array:
+    """The matrices [x] of the vector product with x."""
+    x, y, z = np.moveaxis(x, -2, 0)
+    zero = np.zeros_like(x)
+    rows = ((zero, -z, y), (z, zero, -x), (-y, x, zero))
+    return np.stack([np.stack(row, axis=-2) for row in rows], axis=-3)
+
+
 def _rigid_way(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> _Way:
     """The arguments of a morph of rigid motions of space, their linear parts replaced by the nearest rotations."""
     first, last, time = checked({"start": (4, 4), "end": (4, 4), "t": ()}, (start, end, t))[0]
@@ -375,6 +426,7 @@ MORPHS: Mapping[str, Callable[..., Array]] = MappingProxyType(
         "three_spiral": three_spiral,
         "lie": lie,
         "polar_exponential": polar_exponential,
+        "sim": sim,
         "sclerp": sclerp,
         "dual_quaternion_linear": dual_quaternion_linear,
         "sam": sam.morph,

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from affinecert.reference import _domain, _turns, affine_lie, quaternion, sam, se3, so3
+from affinecert.reference import _domain, _turns, affine_lie, quaternion, sam, se3, sim3, so3
 from affinecert.reference._branches import continued, nearest
 from affinecert.reference._exact import determinant, integers
 from affinecert.reference._functions import Function
@@ -180,6 +180,22 @@ def polar_exponential(ctx: Context, start: Array, end: Array, t: Array, near: Ar
         return nearest(ctx, near, (homogeneous(ctx, turn @ stretch, translation) for turn in turns))
 
 
+def sim(ctx: Context, start: Array, end: Array, t: Array, near: Array | None = None) -> Array:
+    """exp((1 - t) X + t Y), X = `sim3.log`(B) and Y = `sim3.log_next`(C, X), (4, 4), (4, 4), () -> (4, 4).
+
+    Gallier, Allen-Blanchette and Leonardos, section 5. Raises InputError if B or C is no similarity to within 1e-6.
+    """
+    with _extra_precision(ctx, start, end, t):
+        _similarity(ctx, "start", start)
+        _similarity(ctx, "end", end)
+        tangents = (
+            _mixed(first, last, t)
+            for first in _other_way_round(ctx, start, sim3.log(ctx, start))
+            for last in _other_way_round(ctx, end, sim3.log_next(ctx, end, first))
+        )
+        return nearest(ctx, near, (sim3.exp(ctx, tangent) for tangent in tangents))
+
+
 def sclerp(ctx: Context, start: Array, end: Array, t: Array, near: Array | None = None) -> Array:
     """The screw motion B exp(t log(B^-1 C)) of rigid B and C, (4, 4), (4, 4), () -> (4, 4).
 
@@ -322,6 +338,20 @@ def _tetrahedron(ctx: Context, pose: Array) -> Array:
     return np.concatenate([origin[None], edges.T + origin])
 
 
+def _similarity(ctx: Context, name: str, pose: Array) -> None:
+    """Refuses a pose that is no similarity."""
+    linear = pose[:3, :3]
+    _domain.similarity(ctx, name, linear.T @ linear, linear[0] @ cross(linear[1], linear[2]))
+
+
+def _other_way_round(ctx: Context, pose: Array, tangent: Array) -> Iterator[Array]:
+    """A logarithm of a similarity, and then the one that turns less than 2 pi the other way round."""
+    yield tangent
+    angle = norm(ctx, tangent[:3])
+    if angle:
+        yield sim3.log_near(ctx, pose, tangent * (1 - 2 * ctx.pi / angle))
+
+
 def _rigid(ctx: Context, name: str, pose: Array) -> tuple[Array, Array]:
     """Rotation and translation of a rigid motion."""
     rotation, translation = se3.parts(ctx, name, pose)
@@ -346,6 +376,7 @@ MORPHS: Mapping[str, Callable[..., Array]] = MappingProxyType(
         "three_spiral": three_spiral,
         "lie": lie,
         "polar_exponential": polar_exponential,
+        "sim": sim,
         "sclerp": sclerp,
         "dual_quaternion_linear": dual_quaternion_linear,
         "sam": sam.morph,

@@ -163,6 +163,17 @@ MAPS = (
         _tried_on(FROM_THE_IDENTITY),
     ),
     _morph(
+        "sim",
+        "exp((1 - t) X + t Y), X = sim3.log(B), Y = sim3.log_next(C, X)",
+        "gallier, section 5",
+        (
+            *_in_space(pose_pairs.IN_SIMILARITIES, pose_pairs.NOT_SIMILAR),
+            *regimes((pose_pairs.ONE_POSE_NEAR_PI, pose_pairs.ONE_POSE_AT_PI), (3,), IN_PLANE),
+        ),
+        domain="B and C similar to within 1e-6, the nearest rotations count; last rows 0 0 0 1; every t",
+        size=4,
+    ),
+    _morph(
         "sclerp",
         "B exp(t log(B^-1 C))",
         "Kavan and others 2008, as in rossignac_vinacua, section 3.3.1",
