@@ -31,6 +31,17 @@ def logarithm(ctx: Context) -> Function:
     return coefficients
 
 
+def turned_logarithm(ctx: Context) -> Function:
+    """The logarithm less 2 pi i, as an x given as mpc, above the negative axis or on it, has it on the other branch."""
+    principal = logarithm(ctx)
+
+    def coefficients(x: Number, n: int) -> list[Number]:
+        value, *rest = principal(x, n)
+        return [value - ctx.mpc(0, 2 * ctx.pi) if isinstance(x, ctx.mpc) else value, *rest]
+
+    return coefficients
+
+
 def power(ctx: Context, t: Number) -> Function:
     """The function x^t = exp(t log x), its coefficients binomial(t, k) x^(t - k)."""
 
@@ -43,20 +54,20 @@ def power(ctx: Context, t: Number) -> Function:
     return coefficients
 
 
-def quotient(ctx: Context, f: Function) -> Function:
-    """The difference quotient g(x) = f[1, x] = (f(x) - f(1)) / (x - 1), which is smooth at 1.
+def quotient(ctx: Context, f: Function, node: int = 1) -> Function:
+    """The difference quotient g(x) = f[p, x] = (f(x) - f(p)) / (x - p), which is smooth at the node p.
 
-    Comparing Taylor coefficients in f(x) = f(1) + (x - 1) g(x): g_k = (f_k - g_(k-1)) / (x - 1), with f(1) for g_-1,
-    and g_k = f_(k+1) at 1 itself.
+    Comparing Taylor coefficients in f(x) = f(p) + (x - p) g(x): g_k = (f_k - g_(k-1)) / (x - p), with f(p) for g_-1,
+    and g_k = f_(k+1) at p itself.
     """
 
     def coefficients(x: Number, n: int) -> list[Number]:
-        if x == 1:
-            return f(ctx.one, n + 1)[1:]
-        with ctx.extraprec((n + 1) * closeness(abs(x - 1), ctx.one)):
-            values, last = [], f(ctx.one, 0)[0]
+        if x == node:
+            return f(ctx.mpf(node), n + 1)[1:]
+        with ctx.extraprec((n + 1) * closeness(abs(x - node), ctx.one)):
+            values, last = [], f(ctx.mpf(node), 0)[0]
             for coefficient in f(x, n):
-                last = (coefficient - last) / (x - 1)
+                last = (coefficient - last) / (x - node)
                 values.append(last)
             return values
 

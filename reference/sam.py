@@ -7,18 +7,19 @@ their own. n is 3 in the plane and 4 in space.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from affinecert.errors import InputError
 from affinecert.reference import _domain
 from affinecert.reference._exact import Integers, adjugate, determinant, float_integers, integers
 from affinecert.reference._existence import Logarithm, logarithm
-from affinecert.reference._functions import Function, quotient
+from affinecert.reference._functions import Function, quotient, turned_logarithm
+from affinecert.reference._functions import exponential as scalar_exponential
 from affinecert.reference._functions import logarithm as scalar_logarithm
 from affinecert.reference._functions import power as scalar_power
 from affinecert.reference._matrices import Array, Context, array, homogeneous, identity, tangent
 from affinecert.reference._precision import closeness, span
-from affinecert.reference._spectrum import Linear, apply, exactly, extra_bits, ratio
+from affinecert.reference._spectrum import Linear, apply, exactly, extra_bits, interpolate, ratio
 
 
 def exists(ctx: Context, affine: Array) -> bool:
@@ -49,6 +50,20 @@ def log(ctx: Context, affine: Array) -> Array:
     """
     _domain.affine(ctx, "affine", affine)
     return tangent(ctx, *_function(ctx, "affine", exactly(affine[:-1, :-1]), affine[:-1, -1], scalar_logarithm(ctx)))
+
+
+def logarithms(ctx: Context, name: str, affine: Array) -> Iterator[Array]:
+    """`log`, and then, of what turns by an angle of nearly pi, the logarithm on the other side of pi."""
+    _domain.affine(ctx, name, affine)
+    for f in (scalar_logarithm(ctx), turned_logarithm(ctx)):
+        yield tangent(ctx, *_function(ctx, name, exactly(affine[:-1, :-1]), affine[:-1, -1], f))
+
+
+def exponential(ctx: Context, logarithm: Array) -> Array:
+    """The affine map exp [[X, v], [0, 0]], (n, n) -> (n, n): its linear part exp X, its translation exp[0, X] v."""
+    f, vector = scalar_exponential(ctx), logarithm[:-1, -1]
+    tasks = (f, identity(ctx, len(vector))), (quotient(ctx, f, 0), vector)
+    return homogeneous(ctx, *interpolate(ctx, exactly(logarithm[:-1, :-1]), *tasks))
 
 
 def power(ctx: Context, affine: Array, t: Array) -> Array:
