@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from affinecert.fast import _affine_stages as stages
+from affinecert.fast import _wide
 from affinecert.fast._exact import orientation, orientation_of_vertices
 from affinecert.fast._growth import logarithms, powers
 from affinecert.fast._kernel import Array, checked
@@ -157,18 +158,43 @@ def interpolate_orderings(source: ArrayLike, target: ArrayLike, t: ArrayLike) ->
     source and target (..., 4, 3), t (...); gives (..., 12, 4, 3): the orderings in lexicographic order, each result
     given back in the original order of its vertices. Raises InputError as `interpolate_tetrahedra` does.
     """
-    (first, last, time), _, _ = checked({"source": (4, 3), "target": (4, 3), "t": ()}, (source, target, t))
-    for name, vertices in (("source", first), ("target", last)):
-        _frame(name, vertices)
-    ordered = _between(first[..., ORDERINGS, :], last[..., ORDERINGS, :], time[..., None], 4)
+    ordered = _between(*_reordered(source, target, t), 4)
     back = np.argsort(ORDERINGS, axis=1)
     return np.take_along_axis(ordered, np.broadcast_to(back[..., None], ordered.shape), axis=-2)
 
 
-def _between(source: ArrayLike, target: ArrayLike, t: ArrayLike, count: int) -> Array:
+def maps_by_orderings(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> Array:
+    """The affine maps from the source to what `interpolate_orderings` makes of it, in double-doubles.
+
+    As there, but gives homogeneous matrices of pairs (high, low), (..., 12, 4, 4, 2). A point x goes to W^-1 (R^-1 U R
+    (x - u) + u - v) for the alignment R of the source, its first vertex u, and the powers U and [W v].
+    """
+    first, _, _, start, upper, turn, shift = _powers_between(*_reordered(source, target, t), 4)
+    origin, back = _wide.widen(first[..., 0, :]), _wide.transposed(turn)
+    linear = _wide.product(_wide.transposed(start.rotation), _wide.product(upper, start.rotation))
+    moved = _wide.subtract(_wide.subtract(origin, shift), _wide.image(linear, origin))
+    return _wide.homogeneous(_wide.product(back, linear), _wide.image(back, moved))
+
+
+def _reordered(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> tuple[Array, Array, Array]:
+    """Source and target in each ordering, (..., 12, 4, 3), and the time; refuses what is no tetrahedron."""
+    (first, last, time), _, _ = checked({"source": (4, 3), "target": (4, 3), "t": ()}, (source, target, t))
+    for name, vertices in (("source", first), ("target", last)):
+        _frame(name, vertices)
+    return first[..., ORDERINGS, :], last[..., ORDERINGS, :], time[..., None]
+
+
+def _powers_between(
+    source: ArrayLike, target: ArrayLike, t: ArrayLike, count: int
+) -> tuple[Array, Array, Array, _Frame, Array, Array, Array]:
+    """The checked inputs, the frame of the source, and the powers U, W, v of what lies between source and target."""
     (first, last, time), _, _ = checked({"source": (count, 3), "target": (count, 3), "t": ()}, (source, target, t))
     start, end = _frame("source", first), _frame("target", last)
     (ratio,) = run(stages.divided, end.upper, start.upper)
     turn, shift = run(stages.relative, start.rotation, first[..., 0, :], end.rotation, last[..., 0, :])
-    powers_of = _powers(_Frame(turn, ratio, shift), time)
+    return first, last, time, start, *_powers(_Frame(turn, ratio, shift), time)
+
+
+def _between(source: ArrayLike, target: ArrayLike, t: ArrayLike, count: int) -> Array:
+    first, last, time, start, *powers_of = _powers_between(source, target, t, count)
     return run(stages.carried_vertices, first, last, time, start.upper, start.rotation, *powers_of)[0]
