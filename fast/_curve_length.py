@@ -66,9 +66,7 @@ def _edges(low: Array, high: Array, rho: Array) -> Array:
         sides.append(np.minimum(3.0 * sides[-1], sides[-1] + WIDEST))
     right = np.stack(sides, axis=-1)
     inner = np.concatenate([-right[..., ::-1], right], axis=-1)
-    return np.concatenate(
-        [low[..., None], np.clip(inner, low[..., None], high[..., None]), high[..., None]], axis=-1
-    )
+    return np.concatenate([low[..., None], np.clip(inner, low[..., None], high[..., None]), high[..., None]], axis=-1)
 
 
 def _speed(s: Array, rho: Array) -> Array:

@@ -97,7 +97,9 @@ def path_deviation(ctx: Context, source: Array, target: Array, times: Array) -> 
         results = [affine_lie.interpolate_orderings(ctx, source, target, scalar(t)) for t in times]
         paths = np.array([[_affine(ctx, source, vertices) for vertices in result] for result in results])
         pairs = combinations(range(paths.shape[1]), 2)
-        deviations = sorted(max(norm(ctx, difference.flat) for difference in paths[:, i] - paths[:, j]) for i, j in pairs)
+        deviations = sorted(
+            max(norm(ctx, difference.flat) for difference in paths[:, i] - paths[:, j]) for i, j in pairs
+        )
         return array([deviations[-1], (deviations[len(deviations) // 2 - 1] + deviations[len(deviations) // 2]) / 2])
 
 
@@ -120,14 +122,13 @@ def rotation_curve_length(ctx: Context, first: Array, second: Array) -> Array:
     length = norm(ctx, difference)
     if not length:
         return scalar(ctx.zero)
-    with ctx.extraprec(2 * span(first, second)):
-        direction = difference / length
-        start, across = dot(ctx, first, direction), cross(first, direction)
-        square = dot(ctx, across, across)
-        edges = _edges(ctx, start, start + length, ctx.sqrt(square))
-        count = 2 * (ctx.prec // _BITS_A_PAIR) + 2
-        nodes = [node for low, high in pairwise(edges) for node in gauss_legendre(ctx, count, low, high)]
-        return scalar(ctx.fsum(w * ctx.sqrt(1 - 2 * square * stumpff(ctx, x * x + square)[4]) for x, w in nodes))
+    direction = difference / length
+    start, across = dot(ctx, first, direction), cross(first, direction)
+    square = dot(ctx, across, across)
+    edges = _edges(ctx, start, start + length, ctx.sqrt(square))
+    count = 2 * (ctx.prec // _BITS_A_PAIR) + 2
+    nodes = [node for low, high in pairwise(edges) for node in gauss_legendre(ctx, count, low, high)]
+    return scalar(ctx.fsum(w * ctx.sqrt(1 - 2 * square * stumpff(ctx, x * x + square)[4]) for x, w in nodes))
 
 
 # A rule of n nodes on a panel of `_edges` errs by 4.35**(-2n) or less, so two nodes bring 8.4 bits. For truth half of the

@@ -64,7 +64,9 @@ def _smooth(draw: Draw, size: int, count: int) -> Path:
 def _steady(draw: Draw, size: int, count: int) -> Path:
     """A steady motion, but for the rounding of its poses, or for more."""
     step, off = draw.exponent(-5, -0.5), draw.choice((0.0, draw.exponent(-16, 0)))
-    change = homogeneous(np.eye(size) + step * draw.direction(size * size).reshape(size, size), vector(draw, -2, 0, size))
+    change = homogeneous(
+        np.eye(size) + step * draw.direction(size * size).reshape(size, size), vector(draw, -2, 0, size)
+    )
     poses = [_pose(draw, size)]
     while len(poses) < count:
         poses.append(change @ poses[-1])
@@ -75,7 +77,9 @@ def _steady(draw: Draw, size: int, count: int) -> Path:
 def _exactly_steady(draw: Draw, size: int, count: int) -> Path:
     """Powers of an exact matrix, from an exact pose: the acceleration is 0 to the last bit."""
     scale = 2.0 ** draw.choice(range(-2, 3))
-    change = homogeneous(scale * draw.choice(quarter_turns(size)), np.array([draw.choice(range(-3, 4)) for _ in range(size)]))
+    change = homogeneous(
+        scale * draw.choice(quarter_turns(size)), np.array([draw.choice(range(-3, 4)) for _ in range(size)])
+    )
     poses = [homogeneous(oblique(draw, np.eye(size)) @ draw.choice(quarter_turns(size)), np.ones(size))]
     while len(poses) < count:
         poses.append(change @ poses[-1])
@@ -85,14 +89,18 @@ def _exactly_steady(draw: Draw, size: int, count: int) -> Path:
 def _far(draw: Draw, size: int, count: int) -> Path:
     distance = draw.exponent(1, 10)
     shift = distance * draw.direction(size)
-    return np.array([homogeneous(well_conditioned(draw, size), shift + draw.direction(size)) for _ in range(count)]), distance
+    return np.array(
+        [homogeneous(well_conditioned(draw, size), shift + draw.direction(size)) for _ in range(count)]
+    ), distance
 
 
 def _thin(draw: Draw, size: int, count: int) -> Path:
     # Rounding moves the volume by u; a pose of thinness 1e-8 keeps its orientation all the same.
     thinness = draw.exponent(-8, 0)
     squashed = np.array([thinness, *[1.0] * (size - 1)])
-    poses = np.array([homogeneous(well_conditioned(draw, size) * squashed, vector(draw, -1, 1, size)) for _ in range(count)])
+    poses = np.array(
+        [homogeneous(well_conditioned(draw, size) * squashed, vector(draw, -1, 1, size)) for _ in range(count)]
+    )
     return poses, thinness
 
 
