@@ -20,9 +20,7 @@ def slerp(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
     d = np.sum(p * q, axis=-1)
     q = np.where(d[..., None] < 0, -q, q)
     angle = 2 * np.arctan2(np.linalg.norm(p - q, axis=-1), np.linalg.norm(p + q, axis=-1))
-
     def weight(s):
         with np.errstate(all="ignore"):
             return np.where(angle > 1e-9, np.sin(s * angle) / np.sin(angle), s)[..., None]
-
     return np.asarray(weight(1 - time) * p + weight(time) * q)
