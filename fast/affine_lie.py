@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from affinecert.fast import _affine_stages as stages
+from affinecert.fast import _wide
 from affinecert.fast._exact import orientation, orientation_of_vertices
 from affinecert.fast._growth import logarithms, powers
 from affinecert.fast._kernel import Array, checked
@@ -157,12 +158,32 @@ def interpolate_orderings(source: ArrayLike, target: ArrayLike, t: ArrayLike) ->
     source and target (..., 4, 3), t (...); gives (..., 12, 4, 3): the orderings in lexicographic order, each result
     given back in the original order of its vertices. Raises InputError as `interpolate_tetrahedra` does.
     """
+    ordered = _between(*_reordered(source, target, t), 4)
+    back = np.argsort(ORDERINGS, axis=1)
+    return np.take_along_axis(ordered, np.broadcast_to(back[..., None], ordered.shape), axis=-2)
+
+
+def maps_by_orderings(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> Array:
+    """The affine maps from the source to what `interpolate_orderings` makes of it, in double-doubles.
+
+    As there, but gives homogeneous matrices of pairs (high, low), (..., 12, 4, 4, 2). A point x goes to W^-1 (R^-1 U R
+    (x - u) + u - v) for the alignment R of the source, its first vertex u, and the powers U and [W v].
+    """
+    first, last, time = _reordered(source, target, t)
+    start, end = _frame("source", first), _frame("target", last)
+    upper, turn, shift = _powers_between(start, first[..., 0, :], end, last[..., 0, :], time)
+    origin, back = _wide.widen(first[..., 0, :]), _wide.transposed(turn)
+    linear = _wide.product(_wide.transposed(start.rotation), _wide.product(upper, start.rotation))
+    moved = _wide.subtract(_wide.subtract(origin, shift), _wide.image(linear, origin))
+    return _wide.homogeneous(_wide.product(back, linear), _wide.image(back, moved))
+
+
+def _reordered(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> tuple[Array, Array, Array]:
+    """Source and target in each ordering, (..., 12, 4, 3), and the time; refuses what is no tetrahedron."""
     (first, last, time), _, _ = checked({"source": (4, 3), "target": (4, 3), "t": ()}, (source, target, t))
     for name, vertices in (("source", first), ("target", last)):
         _frame(name, vertices)
-    ordered = _between(first[..., ORDERINGS, :], last[..., ORDERINGS, :], time[..., None], 4)
-    back = np.argsort(ORDERINGS, axis=1)
-    return np.take_along_axis(ordered, np.broadcast_to(back[..., None], ordered.shape), axis=-2)
+    return first[..., ORDERINGS, :], last[..., ORDERINGS, :], time[..., None]
 
 
 def interpolate_edges(source: tuple[Array, Array], target: tuple[Array, Array], t: Array) -> tuple[Array, Array]:
@@ -187,9 +208,7 @@ def _with_first_vertex(edges: Array) -> Array:
     return vertices
 
 
-def _powers_between(
-    start: _Frame, origin: Array, end: _Frame, goal: Array, t: Array
-) -> tuple[Array, Array, Array]:
+def _powers_between(start: _Frame, origin: Array, end: _Frame, goal: Array, t: Array) -> tuple[Array, Array, Array]:
     """The powers of what takes one alignment to another, each with its first vertex."""
     (ratio,) = run(stages.divided, end.upper, start.upper)
     turn, shift = run(stages.relative, start.rotation, origin, end.rotation, goal)

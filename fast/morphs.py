@@ -234,10 +234,12 @@ def log_spiral(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
     logs = _log_scale(first_stretch), _log_scale(last_stretch)
     log_ratio = wide.subtract(logs[1], logs[0])
     scale = wide.exponential(_mixed(*logs, way.t))
-    rest = way.stretched(*(
-        wide.multiply(stretch, wide.exponential(-log)[..., None, None, :])
-        for stretch, log in zip((first_stretch, last_stretch), logs, strict=True)
-    ))
+    rest = way.stretched(
+        *(
+            wide.multiply(stretch, wide.exponential(-log)[..., None, None, :])
+            for stretch, log in zip((first_stretch, last_stretch), logs, strict=True)
+        )
+    )
     turn = _turns.logarithm(wide.product(last, wide.transposed(first)))
     turned = wide.product(_turns.exponential(wide.times(turn, way.t[..., None])), first)
     linear = wide.multiply(wide.product(turned, rest), scale[..., None, None, :])
@@ -261,7 +263,9 @@ def three_spiral(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
     origin = wide.subtract(way.goal, way.origin)
     columns = [wide.subtract(way.last[..., j, :], way.first[..., j, :]) for j in range(2)]
     moved = [_turned_by(vertices[0], origin)]
-    moved += [_turned_by(vertex, wide.add(origin, column)) for vertex, column in zip(vertices[1:], columns, strict=True)]
+    moved += [
+        _turned_by(vertex, wide.add(origin, column)) for vertex, column in zip(vertices[1:], columns, strict=True)
+    ]
     steps = [wide.subtract(corner, moved[0]) for corner in moved[1:]]
     linear = wide.add(way.first, np.stack(steps, axis=-2))
     return way.pose(linear, wide.add(way.origin, moved[0]))
@@ -279,7 +283,9 @@ def _complex_logarithm(before: Array, after: Array) -> tuple[Array, Array]:
     u, v = (after[..., k, :] for k in range(2))
     real, imaginary = complex_product((u, v), (x, -y))
     squares = (wide.add(wide.multiply(p, p), wide.multiply(q, q)) for p, q in ((u, v), (x, y)))
-    return 0.5 * wide.logarithm(wide.divide(*squares)), _turns.logarithm(_multiple_of_rotation(real, imaginary))[..., 0, :]
+    return 0.5 * wide.logarithm(wide.divide(*squares)), _turns.logarithm(_multiple_of_rotation(real, imaginary))[
+        ..., 0, :
+    ]
 
 
 def _multiple_of_rotation(real: Array, imaginary: Array) -> Array:

@@ -144,9 +144,7 @@ def three_spiral(ctx: Context, start: Array, end: Array, t: Array, near: Array |
 
         def pose(logs: tuple[Number, ...]) -> Array:
             progress = [_progress(ctx, log, t[()]) for log in logs]
-            corners = [
-                first[i] + (progress[i] + progress[i - 1]) / 2 * (last[i] - first[i]) for i in range(3)
-            ]
+            corners = [first[i] + (progress[i] + progress[i - 1]) / 2 * (last[i] - first[i]) for i in range(3)]
             columns = [corners[1] - corners[0], corners[2] - corners[0], corners[0]]
             return array([[z.real for z in columns], [z.imag for z in columns], [ctx.zero, ctx.zero, ctx.one]])
 

@@ -6,13 +6,35 @@ from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
-from affinecert.catalogue import affine_lie, morphs, quaternion, sam, scale, se3, shear, so3, sym3
+from affinecert.catalogue import (
+    affine_lie,
+    measures,
+    morphs,
+    quaternion,
+    sam,
+    scale,
+    se3,
+    shear,
+    so3,
+    sym3,
+)
 from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 
-CATALOGUE: Mapping[str, Map] = MappingProxyType(
-    {entry.name: entry for family in (so3, se3, scale, shear, sym3, affine_lie, sam, quaternion, morphs) for entry in family.MAPS}
+FAMILIES = (
+    so3,
+    se3,
+    scale,
+    shear,
+    sym3,
+    affine_lie,
+    sam,
+    quaternion,
+    morphs,
+    measures,
 )
+
+CATALOGUE: Mapping[str, Map] = MappingProxyType({entry.name: entry for family in FAMILIES for entry in family.MAPS})
 """Every map by its name, in the order in which everything shows them."""
 
 

@@ -187,7 +187,9 @@ def _logarithmic_by(kind: spectra.Spectrum) -> Callable[[Draw, int], Ends]:
     return build
 
 
-def _by_turn(kind: Turns, scale: Callable[[Draw], float], starts: tuple[Array, ...] = ()) -> Callable[[Draw, int], Ends]:
+def _by_turn(
+    kind: Turns, scale: Callable[[Draw], float], starts: tuple[Array, ...] = ()
+) -> Callable[[Draw, int], Ends]:
     """Poses in space turned against each other by a turn of that kind, each of its own scale; the start any, or one of
     ``starts``."""
 
