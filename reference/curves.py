@@ -88,7 +88,7 @@ def poly_sam(ctx: Context, poses: Array, t: Array) -> Array:
     part that is not positive, and where the morph that holds t does not exist (as `sam.log`).
     """
     _keyed(ctx, "poses", poses, t)
-    _poses(ctx, {"poses": poses})
+    _oriented(ctx, poses=poses)
     index, time = segment(ctx, t[()], len(poses))
     return morph(ctx, "poses", poses[index], poses[index + 1], time)
 
@@ -101,7 +101,7 @@ def bezier_quadratic(ctx: Context, pose_a: Array, pose_b: Array, pose_c: Array, 
     none, for rounding hides whether it is one).
     """
     _domain.finite(ctx, "t", t)
-    _poses(ctx, {"pose_a": pose_a[None], "pose_b": pose_b[None], "pose_c": pose_c[None]})
+    _oriented(ctx, pose_a=pose_a, pose_b=pose_b, pose_c=pose_c)
     return _quadratic(ctx, pose_a, pose_b, pose_c, t[()])
 
 
@@ -111,7 +111,7 @@ def bezier_cubic(ctx: Context, pose_a: Array, pose_b: Array, pose_c: Array, pose
     Raises InputError as `bezier_quadratic` does.
     """
     _domain.finite(ctx, "t", t)
-    _poses(ctx, {"pose_a": pose_a[None], "pose_b": pose_b[None], "pose_c": pose_c[None], "pose_d": pose_d[None]})
+    _oriented(ctx, pose_a=pose_a, pose_b=pose_b, pose_c=pose_c, pose_d=pose_d)
     time = t[()]
     ab, bc, cd = (
         morph(ctx, name, start, end, time)
@@ -129,7 +129,7 @@ def biarc(ctx: Context, pose_a: Array, pose_b: Array, pose_c: Array, t: Array) -
     from L to R, and the velocity continuous. Raises InputError as `bezier_quadratic` does.
     """
     _domain.finite(ctx, "t", t)
-    _poses(ctx, {"pose_a": pose_a[None], "pose_b": pose_b[None], "pose_c": pose_c[None]})
+    _oriented(ctx, pose_a=pose_a, pose_b=pose_b, pose_c=pose_c)
     first = 2 * t[()] <= 1
     start, end, time = (pose_a, pose_c, 2 * t[()]) if first else (pose_c, pose_a, 2 - 2 * t[()])
     names = ("pose_b", "pose_c") if first else ("pose_c", "pose_b")
@@ -151,7 +151,7 @@ def four_point(ctx: Context, poses: Array) -> Array:
     """
     if len(poses) < 3:
         raise InputError("poses", f"shape: {len(poses)} keys where at least three are due")
-    _poses(ctx, {"poses": poses})
+    _oriented(ctx, poses=poses)
     eighth = ctx.mpf(1) / 8
 
     def left(start: Array, middle: Array, end: Array) -> Array:
@@ -173,7 +173,7 @@ def patch(ctx: Context, pose_a: Array, pose_b: Array, pose_c: Array, pose_d: Arr
     """
     _domain.finite(ctx, "s", s)
     _domain.finite(ctx, "t", t)
-    _poses(ctx, {"pose_a": pose_a[None], "pose_b": pose_b[None], "pose_c": pose_c[None], "pose_d": pose_d[None]})
+    _oriented(ctx, pose_a=pose_a, pose_b=pose_b, pose_c=pose_c, pose_d=pose_d)
     top, bottom = morph(ctx, "pose_b", pose_a, pose_b, s[()]), morph(ctx, "pose_d", pose_c, pose_d, s[()])
     return between(ctx, "pose_c", top, bottom, t[()])
 
@@ -199,11 +199,12 @@ def grazing_parameter(ctx: Context, affine: Array, point: Array, tangent: Array,
     """
     for name, vector in (("point", point), ("tangent", tangent), ("normal", normal)):
         _domain.finite(ctx, name, vector)
-    rate, turn = sam.velocity(ctx, affine, point), sam.log(ctx, affine)[:-1, :-1]
+    generator = sam.log(ctx, affine)
+    turn = generator[:-1, :-1]
     change = dot(ctx, normal, turn @ tangent)
     if negligible(ctx, change, norm(ctx, turn.flat) * norm(ctx, tangent) * norm(ctx, normal)):
         raise InputError("tangent", "degenerate: the velocity across the normal is the same along all of the line")
-    return scalar(-dot(ctx, normal, rate) / change)
+    return scalar(-dot(ctx, normal, turn @ point + generator[:-1, -1]) / change)
 
 
 def _keyed(ctx: Context, name: str, keys: Array, t: Array) -> None:
@@ -214,10 +215,10 @@ def _keyed(ctx: Context, name: str, keys: Array, t: Array) -> None:
         raise InputError(name, f"shape: {len(keys)} keys where at least two are due")
 
 
-def _poses(ctx: Context, poses: dict[str, Array]) -> None:
-    """Refuses poses that are no orientation-preserving affine maps; given in arrays (count, n, n), by argument."""
-    for name, several in poses.items():
-        for pose in several:
+def _oriented(ctx: Context, **arguments: Array) -> None:
+    """Refuses what is no orientation-preserving affine map, among one pose (n, n) or several (count, n, n)."""
+    for name, poses in arguments.items():
+        for pose in poses.reshape(-1, *poses.shape[-2:]):
             _domain.affine(ctx, name, pose)
 
 
@@ -229,7 +230,7 @@ def _quadratic(ctx: Context, pose_a: Array, pose_b: Array, pose_c: Array, time: 
 def _composed(ctx: Context, affines: Array, t: Array, through: Callable[[Group, Sequence[Array]], Array]) -> Array:
     """The product of the points on the curves ``through(group, keys)`` in G_A, G_S and SE(3), for T_i = A_i S_i E_i."""
     _keyed(ctx, "affines", affines, t)
-    _poses(ctx, {"affines": affines})
+    _oriented(ctx, affines=affines)
     last, _ = segment(ctx, t[()], len(affines))
     # What follows the segment that holds t has no part in it.
     factors = [affine_lie.decompose(ctx, affine) for affine in affines[: last + 2]]
