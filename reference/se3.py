@@ -69,3 +69,9 @@ def powers(ctx: Context, rotation: Array, translation: Array, t: Number) -> Iter
         twist = _twist(ctx, axis * theta, translation) * t
         omega, v = twist[:3], twist[3:]
         yield so3.exponential_series(ctx, omega, 0), so3.exponential_series(ctx, omega, 1) @ v
+
+
+def principal_twist(ctx: Context, rotation: Array, translation: Array) -> Array:
+    """`log` of a rigid motion whose rotation is exact to the context's precision, (3, 3), (3,) -> (6,)."""
+    axis, angle = so3.axis_angle(ctx, rotation)
+    return _twist(ctx, axis * angle, translation)

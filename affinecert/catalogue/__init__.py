@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from affinecert.catalogue import (
     affine_lie,
+    curves,
     measures,
     morphs,
     quaternion,
@@ -31,6 +32,7 @@ FAMILIES = (
     sam,
     quaternion,
     morphs,
+    curves,
     measures,
 )
 
