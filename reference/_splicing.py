@@ -33,8 +33,9 @@ class System(NamedTuple):
 
 
 class Weights(NamedTuple):
-    """What the points of a spline count for in its de Boor points, (points, points), and in the Bezier points of each
-    span, (spans, 4, points).
+    """What each point of a spline counts for in its de Boor points, (controls, points), and Bezier points of each span.
+
+    The latter are (spans, 4, points).
     """
 
     de_boor: Rows

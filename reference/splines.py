@@ -33,12 +33,13 @@ def de_boor(ctx: Context, points: Array, lengths: Array) -> Array:
     A segment of two points has three of them. Raises InputError if the lengths are not whole numbers from 2 on whose
     sum is the number of points.
     """
-    return _combined(ctx, weights(_lengths(ctx, points, lengths)).de_boor, points)
+    return _combined(ctx, _numbers(ctx, weights(_lengths(ctx, points, lengths)).de_boor), points)
 
 
 def bezier_points(ctx: Context, points: Array, lengths: Array) -> Array:
     """The four Bezier points of the spliced spline on each span from knot to knot, (spans, 4, dims)."""
-    return array([_combined(ctx, span, points) for span in weights(_lengths(ctx, points, lengths)).bezier])
+    spans = weights(_lengths(ctx, points, lengths)).bezier
+    return array([_combined(ctx, _numbers(ctx, span), points) for span in spans])
 
 
 def evaluate(ctx: Context, points: Array, lengths: Array, t: Array) -> Array:
@@ -48,17 +49,15 @@ def evaluate(ctx: Context, points: Array, lengths: Array, t: Array) -> Array:
     go on. Raises InputError as `de_boor` does.
     """
     _domain.finite(ctx, "t", t)
-    span, s = _place(ctx, _lengths(ctx, points, lengths), t[()])
-    value: Array = _at(_polynomial(ctx, points, _lengths(ctx, points, lengths), span), s)
-    return value
+    return _spliced(ctx, points, _lengths(ctx, points, lengths), t[()])
 
 
 def select_logarithms(ctx: Context, poses: Array) -> tuple[Array, Array]:
-    """The logarithms of similarities by strategy 1 of section 5, (keys, 4, 4) -> points (points, 7), lengths (segments,).
+    """The logarithms of similarities by strategy 1, (keys, 4, 4) -> points (points, 7) and lengths (segments,).
 
-    With X_i the principal logarithm of pose i, Y_(i+1) is `sim3.log_next` of the next pose and X_i. A segment ends with
-    Y_i where it is not X_i, and the next one starts with X_i. Raises InputError for fewer than two poses and as
-    `sim3.log` does.
+    Section 5. With X_i the principal logarithm of pose i, Y_(i+1) is `sim3.log_next` of the next pose and X_i. A
+    segment ends with Y_i where it is not X_i, and the next one starts with X_i. Raises InputError for fewer than two
+    poses and as `sim3.log` does.
     """
     points, lengths = _segments(_chosen(ctx, poses))
     return points, array([ctx.mpf(length) for length in lengths])
@@ -126,10 +125,13 @@ def _lengths(ctx: Context, points: Array, lengths: Array) -> tuple[int, ...]:
     return numbers
 
 
-def _combined(ctx: Context, rows: Rows, points: Array) -> Array:
-    """The combinations of points with rational weights, (rows, points), (points, dims) -> (rows, dims)."""
-    numbers = array([[ctx.mpf(x.numerator) / x.denominator for x in row] for row in rows])
-    return array([[dot(ctx, row, column) for column in points.T] for row in numbers])
+def _numbers(ctx: Context, rows: Rows) -> Array:
+    return array([[ctx.mpf(x.numerator) / x.denominator for x in row] for row in rows])
+
+
+def _combined(ctx: Context, rows: Array, points: Array) -> Array:
+    """The combinations of points with given weights, (rows, points), (points, dims) -> (rows, dims)."""
+    return array([[dot(ctx, row, column) for column in points.T] for row in rows])
 
 
 def _place(ctx: Context, lengths: Sequence[int], t: Number) -> tuple[int, Number]:
@@ -139,9 +141,15 @@ def _place(ctx: Context, lengths: Sequence[int], t: Number) -> tuple[int, Number
     return span, t - span
 
 
+@lru_cache(maxsize=256)
+def _bezier_weights(ctx: Context, _precision: int, lengths: tuple[int, ...], span: int) -> Array:
+    """The weights of a span's Bezier points, kept as a truth asks for them again and again."""
+    return _numbers(ctx, weights(lengths).bezier[span])
+
+
 def _polynomial(ctx: Context, points: Array, lengths: tuple[int, ...], span: int) -> list[Array]:
     """The coefficients of the cubic on one span, in powers of the time since its start."""
-    a, b, c, d = _combined(ctx, weights(lengths).bezier[span], points)
+    a, b, c, d = _combined(ctx, _bezier_weights(ctx, ctx.prec, lengths, span), points)
     return [a, 3 * (b - a), 3 * (a - 2 * b + c), d - a + 3 * (b - c)]
 
 
@@ -256,9 +264,10 @@ def _smooth(ctx: Context, points: Array, lengths: tuple[int, ...], t: Number) ->
 def _round(ctx: Context, log: Taylor) -> list[Array]:
     """The curve phi(c) of logarithms (omega, v, lambda) whose exponentials are those of c, one turn back; to any order.
 
-    With n the axis and theta the angle of omega, the rotation vector is (theta - 2 pi) n. From V v = V' v' follows
-    v' = Gamma' Gamma^-1 v for Gamma = lambda I + [omega]x, since e^Gamma = e^Gamma' and all of these commute: v' is v on
-    the axis, and (lambda + i (theta - 2 pi)) / (lambda + i theta) v = v - 2 pi i / (lambda + i theta) v across it.
+    With n the axis and theta the angle of omega, the rotation vector is (theta - 2 pi) n. With Gamma = lambda I +
+    [omega]x, V is (e^Gamma - I) Gamma^-1, and e^Gamma the same for both; so V v = V' v' says v' = Gamma' Gamma^-1 v.
+    That is v on the axis, and (lambda + i (theta - 2 pi)) / (lambda + i theta) v = v - 2 pi i / (lambda + i theta) v
+    across it.
     """
     omega, v, growth = [c[:3] for c in log], [c[3:6] for c in log], [c[6] for c in log]
     square = product(omega, omega, lambda a, b: dot(ctx, a, b))
