@@ -74,6 +74,7 @@ def test_the_catalogue_has_its_maps_in_order() -> None:
         "sam",
         "quaternion",
         "morphs",
+        "splines",
         "curves",
         "measures",
     ]

@@ -17,6 +17,7 @@ from affinecert.catalogue import (
     se3,
     shear,
     so3,
+    splines,
     sym3,
 )
 from affinecert.errors import UnknownNameError
@@ -32,6 +33,7 @@ FAMILIES = (
     sam,
     quaternion,
     morphs,
+    splines,
     curves,
     measures,
 )
