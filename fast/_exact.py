@@ -45,6 +45,16 @@ def orientation(linear: Array) -> float:
     return 1.0 if determinant(integers(linear)) > 0 else -1.0
 
 
+def definiteness(matrix: Array) -> float:
+    """1 if the symmetric part of a matrix is positive definite, by the signs of its leading minors; else -1."""
+    n = integers(matrix)
+    twice = [
+        [x + y for x, y in zip(row, column, strict=True)] for row, column in zip(n, zip(*n, strict=True), strict=True)
+    ]
+    minors = [twice[0][0], *(determinant([row[:k] for row in twice[:k]]) for k in range(2, len(n) + 1))]
+    return 1.0 if min(minors) > 0 else -1.0
+
+
 def orientation_of_vertices(vertices: Array) -> float:
     """1 if a tetrahedron (4, 3) has positive volume, or a triangle (3, 3) an area; else -1."""
     first, *others = integers(vertices)

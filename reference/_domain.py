@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from affinecert.errors import InputError
-from affinecert.reference._exact import determinant_sign
-from affinecert.reference._matrices import Array, Context, Number
+from affinecert.reference._exact import determinant, determinant_sign, integers
+from affinecert.reference._matrices import Array, Context, Number, norm
 
 # A matrix counts as a rotation up to this distance ||R^T R - I||_F: rounding to float32 leaves under 3e-7.
 ROTATION_TOLERANCE = 1e-6
+# A matrix counts as symmetric up to this distance ||A - A^T||_F / ||A||_F: rounding to float32 leaves under 9e-8.
+SYMMETRY_TOLERANCE = 1e-6
 
 
 def finite(ctx: Context, name: str, argument: Array) -> None:
@@ -50,3 +52,24 @@ def shear(ctx: Context, name: str, matrix: Array) -> None:
         raise InputError(name, "not a shear: must be upper triangular with first column 1 0 0")
     if not (matrix[1, 1] > 0 and matrix[2, 2] > 0):
         raise InputError(name, "diagonal of the shear is not positive")
+
+
+def linear(ctx: Context, name: str, matrix: Array) -> None:
+    """Refuse a matrix whose determinant is not positive."""
+    finite(ctx, name, matrix)
+    if determinant_sign(matrix) <= 0:
+        raise InputError(name, "determinant is not positive")
+
+
+def symmetric(ctx: Context, name: str, matrix: Array) -> None:
+    """Refuse a matrix that is further than `SYMMETRY_TOLERANCE` from symmetric."""
+    finite(ctx, name, matrix)
+    if norm(ctx, (matrix - matrix.T).flat) > SYMMETRY_TOLERANCE * norm(ctx, matrix.flat):
+        raise InputError(name, "not symmetric: A - A^T is further than 1e-6 |A| from 0")
+
+
+def positive_definite(name: str, matrix: Array) -> None:
+    """Refuse a symmetric matrix that is not positive definite, by the signs of its leading minors."""
+    n, _ = integers(matrix)
+    if not (n[0][0] > 0 and all(determinant([row[:k] for row in n[:k]]) > 0 for k in range(2, len(n) + 1))):
+        raise InputError(name, "not positive definite")

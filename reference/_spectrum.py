@@ -115,6 +115,11 @@ def apply(ctx: Context, linear: Linear, *tasks: tuple[Function, Array]) -> list[
     """
     if logarithm(linear.numerators) is Logarithm.HALF_TURN:
         return [_half_turn(ctx, linear, f, operand) for f, operand in tasks]
+    return interpolate(ctx, linear, *tasks)
+
+
+def interpolate(ctx: Context, linear: Linear, *tasks: tuple[Function, Array]) -> list[Array]:
+    """The products f(L) X, X a vector or a matrix, of any matrix, for f that are real on its real eigenvalues."""
     with ctx.workprec(64):
         rough = nodes(ctx, linear)
         size = rough.a * rough.a + abs(rough.b2)
