@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from affinecert.fast._double_double import ONE, add, multiply, multiply_add, scaled, subtract, times
-from affinecert.fast._elementary import LOG_TWO, logarithm, split_exponential
+from affinecert.fast._elementary import LOG_2, logarithm, split_exponential
 from affinecert.fast._jacobi import eigenvectors
 from affinecert.fast._kernel import Array, compiled, kernel
 from affinecert.fast._numbers import Numbers, numbers, reduced, shifted, store
@@ -21,6 +21,9 @@ EXPONENTIAL, LOGARITHM, POWER = 0.0, 1.0, 2.0
 
 UNDECIDED, DEFINITE, NOT_DEFINITE, NOT_SYMMETRIC = 0.0, 1.0, -1.0, -2.0
 """What a matrix is: positive definite, surely or surely not, or not symmetric at all."""
+
+# Beyond it the exponential is infinite, below its negative 0, whatever the others of the matrix are next to it.
+MOST_EXPONENT = 5000.0
 
 # A - A^T may be this part of A in the Frobenius norm: rounding to float32 leaves under 9e-8.
 SYMMETRY = 1e-6
@@ -37,7 +40,7 @@ def _logarithms(values: Numbers, exponent: int) -> None:
         largest = max(largest, values[i].real)
     for i in range(len(values)):
         positive = values[i] if values[i].real > 0.0 else complex(HIDDEN * largest, 0.0)
-        values[i] = add(logarithm(positive), times(LOG_TWO, float(exponent)))
+        values[i] = add(logarithm(positive), times(LOG_2, float(exponent)))
 
 
 @compiled
@@ -45,6 +48,8 @@ def _exponentials(values: Numbers) -> int:
     """Takes the exponentials, divided by the power of two whose exponent is returned: the largest is of size 1."""
     exponents = np.empty(len(values), dtype=np.int64)
     for i in range(len(values)):
+        if not abs(values[i].real) < MOST_EXPONENT:
+            values[i] = complex(math.copysign(MOST_EXPONENT, values[i].real), 0.0)
         values[i], exponents[i] = split_exponential(values[i])
     largest = int(max(exponents))
     for i in range(len(values)):
