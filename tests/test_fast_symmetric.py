@@ -31,7 +31,8 @@ WIDE = 2.0**-95
 
 
 def exactly(pairs: Any) -> Numbers:
-    return numbers(CTX, pairs[..., 0]) + numbers(CTX, pairs[..., 1])
+    high, low = (numbers(CTX, pairs[..., part]) for part in range(2))
+    return np.asarray(high + low)
 
 
 def error(pairs: Any, due: Numbers) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
@@ -28,8 +29,17 @@ def _log_of_exp(family: str, maps: Maps, element: Array) -> float:
     if family in {"so3", "se3"}:
         _inside_the_cut(element[:3], whole)
     back = ask(maps, f"{family}.log", whole)
-    known = {"sym3": partial(near_symmetric, name="logarithm")}.get(family, partial(_exactly, like=back))
-    return _blocks(back, known(element))
+    if family == "sym3":
+        return _blocks(back, near_symmetric(element, "logarithm"))
+    return _blocks(back, _exactly(element, back))
+
+
+GIVEN: Mapping[str, Callable[[Array], Answer]] = {
+    "so3": near_rotation,
+    "se3": near_rigid,
+    "sym3": partial(near_symmetric, name="exponential"),
+}
+"""What an element stands for where it is not itself: the nearest one of the group."""
 
 
 def _inside_the_cut(omega: Array, rotation: Answer) -> None:
@@ -40,8 +50,7 @@ def _inside_the_cut(omega: Array, rotation: Answer) -> None:
 
 def _exp_of_log(family: str, maps: Maps, element: Array) -> float:
     back = ask(maps, f"{family}.exp", ask(maps, f"{family}.log", element))
-    given = {"so3": near_rotation, "se3": near_rigid, "sym3": partial(near_symmetric, name="exponential")}
-    known = given.get(family, partial(_exactly, like=back))
+    known = GIVEN.get(family, partial(_exactly, like=back))
     return _blocks(back, known(element))
 
 
