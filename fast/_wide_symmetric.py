@@ -22,8 +22,10 @@ EXPONENTIAL, LOGARITHM, POWER = 0.0, 1.0, 2.0
 UNDECIDED, DEFINITE, NOT_DEFINITE, NOT_SYMMETRIC = 0.0, 1.0, -1.0, -2.0
 """What a matrix is: positive definite, surely or surely not, or not symmetric at all."""
 
-# Beyond it the exponential is infinite, below its negative 0, whatever the others of the matrix are next to it.
-MOST_EXPONENT = 5000.0
+# Exponentials are kept below 2^LARGE until the last step, lest products overflow that are small again in the end.
+LARGE = 900
+# Beyond it the exponential is infinite even then, below its negative 0: it stands for all that are.
+MOST_EXPONENT = 1300.0
 
 # A - A^T may be this part of A in the Frobenius norm: rounding to float32 leaves under 9e-8.
 SYMMETRY = 1e-6
@@ -45,16 +47,16 @@ def _logarithms(values: Numbers, exponent: int) -> None:
 
 @compiled
 def _exponentials(values: Numbers) -> int:
-    """Takes the exponentials, divided by the power of two whose exponent is returned: the largest is of size 1."""
+    """Takes the exponentials, divided by a power of two that keeps the largest in bounds; its exponent is returned."""
     exponents = np.empty(len(values), dtype=np.int64)
     for i in range(len(values)):
         if not abs(values[i].real) < MOST_EXPONENT:
             values[i] = complex(math.copysign(MOST_EXPONENT, values[i].real), 0.0)
         values[i], exponents[i] = split_exponential(values[i])
-    largest = int(max(exponents))
+    excess = max(int(max(exponents)) - LARGE, 0)
     for i in range(len(values)):
-        values[i] = shifted(values[i], exponents[i] - largest)
-    return largest
+        values[i] = shifted(values[i], exponents[i] - excess)
+    return excess
 
 
 @compiled

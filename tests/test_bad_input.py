@@ -28,6 +28,7 @@ def space(linear: Any, translation: Any = (0.5, -1.0, 2.0)) -> Array:
 IDENTITY = np.eye(3)
 TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 STRETCH = np.array([[2.0, 1, 0], [0, 1, 1], [0, 0, 3]])
+SYMMETRIC = np.array([[2.0, 1, 0], [1, 2, -1], [0, -1, 3]])
 SHEAR = np.array([[1.0, 0.5, -1], [0, 2, 1], [0, 0, 0.5]])
 CANONICAL = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 1]])
 TETRAHEDRON = np.array([[1.0, 1, 1], [3, 1, 1], [2, 4, 1], [1, 2, 3]])
@@ -45,6 +46,10 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "shear.log": (SHEAR,),
     "scale.exp": (np.array(0.5),),
     "scale.log": (np.array(2.0),),
+    "sym3.exp": (SYMMETRIC,),
+    "sym3.log": (SYMMETRIC,),
+    "sym3.power": (SYMMETRIC, HALF),
+    "polar.decompose": (STRETCH @ TURN,),
     "affine_lie.decompose": (SPACE,),
     "affine_lie.compose": (space(TURN), SHEAR, np.array(2.0)),
     "affine_lie.interpolate": (SPACE, HALF),
@@ -222,6 +227,13 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("affine_lie.interpolate_orderings", 1, mirrored(TETRAHEDRON), "degenerate"),
     ("affine_lie.interpolate_triangles", 0, flat(CANONICAL[:3]), "degenerate"),
     ("affine_lie.interpolate_triangles", 1, np.zeros((3, 3)), "degenerate"),
+    ("sym3.exp", 0, SYMMETRIC + 1e-5 * np.eye(3)[[1, 2, 0]], "not symmetric"),
+    ("sym3.log", 0, SYMMETRIC + 1e-5 * np.eye(3)[[1, 2, 0]], "not symmetric"),
+    ("sym3.log", 0, -SYMMETRIC, "not positive definite"),
+    ("sym3.log", 0, np.ones((3, 3)), "not positive definite"),
+    ("sym3.power", 0, np.diag([1.0, 0, 1]), "not positive definite"),
+    ("polar.decompose", 0, mirrored(STRETCH), "determinant is not positive"),
+    ("polar.decompose", 0, np.ones((3, 3)), "determinant is not positive"),
     *((name, 0, singular(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, mirrored(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, last_row(SPACE), "last row") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
