@@ -9,17 +9,19 @@ after the last rounding is that rounding. So such a map is written like this:
     return wide.rounded(result)                         # float64 again
 
 A number is a pair (high, low), its value high + low, high being the value rounded. Pairs are the last axis of float64
-arrays: numbers are (..., 2), vectors (..., d, 2), matrices (..., k, l, 2), homogeneous ones (..., d + 1, d + 1, 2), with
-any leading batch; everything broadcasts, and gives an item the same bits alone as in a batch. To negate pairs, or to
-multiply them by a power of two, is plain NumPy. Nothing here checks or refuses: the functions that users call do.
+arrays: numbers are (..., 2), vectors (..., d, 2), matrices (..., k, l, 2), homogeneous ones (..., d + 1, d + 1, 2) for
+d = 2 or 3, with any leading batch; everything broadcasts, and an item has the same bits alone as in a batch. To negate
+pairs, or to multiply them by a power of two, is plain NumPy. But for `_wide_rotation.require_rotation` nothing checks
+or refuses: the functions that users call do.
 
-This module has the elementwise functions (the arithmetic in NumPy, which compiles nothing; the others as kernels) and
-what there is of products and inverses. `_wide_rotation` has rotations, their logarithms and exponentials; `_wide_affine`
-the same for affine maps; scalars inside of kernels are complex numbers, as `_double_double` and `_elementary` have them.
+This module has the elementwise functions (the arithmetic in NumPy, which compiles nothing; the others as kernels), and
+products and inverses of matrices. `_wide_rotation` has rotations, their logarithms, exponentials and powers, and
+`_wide_affine` the same for affine maps. Inside of kernels a double-double is a complex number, and the functions are
+those of `_double_double`, `_elementary` and `_numbers`.
 
 Elementwise results are within 2^-102 of themselves, also next to their zeros, as far as the pairs given tell them;
-products within 2^-101 of the product of norms, inverses within 2^-100 of what their condition explains. Numbers may be
-between 1e-140 and 1e140 in size; beyond, low parts or products leave the range of float64.
+products of matrices are within 2^-101 of the product of their norms, inverses within 2^-100 of |A^-1|^2 |A|. Numbers
+may be between 1e-140 and 1e140 in size; beyond, low parts or products leave the range of float64.
 
 Source of the arithmetic: see `affinecert.fast._double_double`.
 """
