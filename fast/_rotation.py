@@ -269,8 +269,7 @@ def nearest_turns(
     """Of the rotation vectors of the quaternion (w, vector), w >= 0, the one nearest to ``near``.
 
     Told as (axis, length, angle, turns): it is the axis times angle over length, and from ``least`` to ``most`` whole
-    turns away from the principal one, whose angle is told less accurately. Where there is no rotation the axis is that
-    of ``near``.
+    turns away from the principal one, whose angle is not told. Where there is no rotation the axis is that of ``near``.
     """
     x, y, z = vector
     size = max(abs(x), abs(y), abs(z))
@@ -286,6 +285,8 @@ def nearest_turns(
     exponent = -math.frexp(size)[1]
     axis = math.ldexp(x, exponent), math.ldexp(y, exponent), math.ldexp(z, exponent)
     length = math.sqrt(dot_plain(axis, axis))
+    if least == most == 0.0:
+        return axis, length, 0.0, 0.0
     short_of_pi = 2.0 * math.atan2(w, math.ldexp(length, -exponent))
     along = dot(near, axis)[0] / length
     # Halfway between theta + 2 pi (k - 1) and theta + 2 pi k lies 2 pi k - (pi - theta).

@@ -56,6 +56,8 @@ HUGE_GROWTH = 2.0**500
 # Below it squares underflow, or lose bits.
 TINY = 2.0**-450
 
+LN2 = math.log(2.0)
+
 
 @compiled
 def remainder(polynomial: Series, trace: float, norm: float, at: float) -> Vector:
@@ -184,13 +186,26 @@ def cube_root(high: float, low: float) -> Pair:
 
 
 @compiled
-def similarity(m: Matrix) -> tuple[int, Pair, Pair, Pair, Pair, Pair, int]:
-    """A status, the quaternion of a similarity's turn as `quaternion_along` has it, and its scale over a power of two.
+def growth_of(volume: float, volume_low: float, scale: float, exponent: int) -> tuple[float, float]:
+    """Lambda and e^lambda - 1 for e^lambda the scale times 2^exponent; the volume is its cube over 2^(3 exponent).
 
-    The scale is the cube root of the determinant. The status is 1 where that is not positive, and 2 where M is no
-    multiple of a rotation.
+    Both keep their relative accuracy where the scale is next to 1, and vanish if the volume is 1.
     """
-    (m11, m12, m13), (m21, m22, m23), (m31, m32, m33) = m
+    whole = math.ldexp(scale, exponent)
+    if 0.5 < whole < 2.0:
+        rest = (math.ldexp(volume, 3 * exponent) - 1.0) + math.ldexp(volume_low, 3 * exponent)
+        excess = rest / fma(whole, whole, whole + 1.0)
+        return math.log1p(excess), excess
+    return fma(float(exponent), LN2, math.log(scale)), whole - 1.0
+
+
+@compiled
+def similarity(m: Matrix) -> tuple[int, Pair, Pair, Pair, Pair, float, float]:
+    """A status, the quaternion of a similarity's turn as `quaternion_along` has it, lambda and e^lambda - 1.
+
+    The scale e^lambda is the cube root of the determinant. The status is 1 where that is not positive, and 2 where M is
+    no multiple of a rotation.
+    """
     size = 0.0
     for row in m:
         size = max(size, abs(row[0]), abs(row[1]), abs(row[2]))
@@ -198,29 +213,30 @@ def similarity(m: Matrix) -> tuple[int, Pair, Pair, Pair, Pair, Pair, int]:
     # By two factors, since that power of two may be beyond float64.
     half = exponent // 2
     f, g = math.ldexp(1.0, -half), math.ldexp(1.0, half - exponent)
-    m = (
+    (m11, m12, m13), (m21, m22, m23), (m31, m32, m33) = m
+    unit = (
         (m11 * f * g, m12 * f * g, m13 * f * g),
         (m21 * f * g, m22 * f * g, m23 * f * g),
         (m31 * f * g, m32 * f * g, m33 * f * g),
     )
     nothing = (0.0, 0.0)
-    volume, volume_low = determinant(m)
+    volume, volume_low = determinant(unit)
     if not volume > 0.0:
-        return 1, nothing, nothing, nothing, nothing, nothing, 0
+        return 1, nothing, nothing, nothing, nothing, 0.0, 0.0
     scale, scale_low = cube_root(volume, volume_low)
+    first, second, third = unit
     over = 1.0 / (scale * scale)
-    p, q, r = (
-        fma(over, dot_plain(m[0], m[0]), -1.0),
-        fma(over, dot_plain(m[1], m[1]), -1.0),
-        fma(over, dot_plain(m[2], m[2]), -1.0),
-    )
-    x, y, z = over * dot_plain(m[0], m[1]), over * dot_plain(m[0], m[2]), over * dot_plain(m[1], m[2])
+    p = fma(over, dot_plain(first, first), -1.0)
+    q = fma(over, dot_plain(second, second), -1.0)
+    r = fma(over, dot_plain(third, third), -1.0)
+    x, y, z = over * dot_plain(first, second), over * dot_plain(first, third), over * dot_plain(second, third)
     distance = p * p + q * q + r * r + 2.0 * (x * x + y * y + z * z)
     if not distance <= ORTHOGONALITY * ORTHOGONALITY:
-        return 2, nothing, nothing, nothing, nothing, nothing, 0
+        return 2, nothing, nothing, nothing, nothing, 0.0, 0.0
     # The nuclear norm over the scale is the sum of sqrt(1 + e), e the eigenvalues of M M^T / scale^2 - I, of which the
     # product of 1 + e is 1: it is 3 + sum e^2 / 8 up to the sum of |e|^3, 1e-18.
     total, total_low = two_product(3.0, scale)
     total_low += fma(3.0, scale_low, 0.125 * distance * scale)
-    w, x, y, z = quaternion_along(m, quick_two_sum(total, total_low))
-    return 0, w, x, y, z, (scale, scale_low), exponent
+    scalar, i, j, k = quaternion_along(unit, quick_two_sum(total, total_low))
+    growth, excess = growth_of(volume, volume_low, scale, exponent)
+    return 0, scalar, i, j, k, growth, excess

@@ -28,8 +28,6 @@ SINGULAR = "V is singular: whole turns of a pose that neither turns nor grows"
 # exp of half of this is still far from overflow.
 LARGE_GROWTH = 700.0
 
-LN2 = math.log(2.0)
-
 # More turns than there are.
 ANY = sys.float_info.max
 
@@ -77,13 +75,9 @@ def _logarithm(pose: Array, near: Array, least: float, most: float, tangent: Arr
     if pose[3, 0] != 0.0 or pose[3, 1] != 0.0 or pose[3, 2] != 0.0 or pose[3, 3] != 1.0:
         status[0] = 3
         return
-    status[0], w, x, y, z, (scale, scale_low), exponent = similarity(entries(pose))
+    status[0], w, x, y, z, growth, excess = similarity(entries(pose))
     if status[0] != 0:
         return
-    whole = math.ldexp(scale, exponent)
-    # e^lambda - 1 and lambda, relatively accurate where they vanish.
-    excess = (whole - 1.0) + math.ldexp(scale_low, exponent)
-    growth = math.log1p(excess) if 0.5 < whole < 2.0 else fma(float(exponent), LN2, math.log(scale))
     vector, goal = (x[0], y[0], z[0]), (near[0], near[1], near[2])
     axis, length, angle, turns = nearest_turns(w[0], vector, goal, least, most)
     over = 1.0 / length if length > 0.0 else 0.0

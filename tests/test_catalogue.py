@@ -67,6 +67,7 @@ def test_the_catalogue_has_its_maps_in_order() -> None:
     assert families == [
         "so3",
         "se3",
+        "sim3",
         "scale",
         "shear",
         "sym3",

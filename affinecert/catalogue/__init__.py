@@ -19,6 +19,7 @@ from affinecert.catalogue import (
     scale,
     se3,
     shear,
+    sim3,
     so3,
     splines,
     sym3,
@@ -29,6 +30,7 @@ from affinecert.map import Map
 FAMILIES = (
     so3,
     se3,
+    sim3,
     scale,
     shear,
     sym3,

@@ -3,7 +3,12 @@
 A defect is entered by the decorator `seeded`; the modules, one a family, are imported for that.
 """
 
-from . import affine_lie, polar, sam, se3, shear, so3, sym3
+from importlib import import_module
+from pkgutil import iter_modules
+
 from .defect import DEFECTS, Defect
 
-__all__ = ["DEFECTS", "Defect", "affine_lie", "polar", "sam", "se3", "shear", "so3", "sym3"]
+__all__ = ["DEFECTS", "Defect"]
+
+for module in iter_modules(__path__):
+    import_module(f"{__name__}.{module.name}")
