@@ -90,6 +90,18 @@ def with_quarter_turns(matrices: SearchStrategy[Array]) -> SearchStrategy[tuple[
     return matrices.flatmap(lambda matrix: drawn(lambda draw: turns(draw, matrix)))
 
 
+def _similarity(draw: Draw) -> Array:
+    turn = draw.choice(quarter_turns()) @ draw.choice(quarter_turns())
+    return homogeneous(
+        2.0 ** draw.choice(range(-3, 4)) * turn, np.array([float(draw.choice(range(-4, 5))) for _ in range(3)])
+    )
+
+
+def with_similarity(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
+    """The arguments of a map, and a similarity of space with few bits."""
+    return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _similarity(draw))))
+
+
 def _scaling(draw: Draw) -> float:
     return draw.choice((1.0, 2.0, 0.5)) * draw.exponent(-3, 3)
 

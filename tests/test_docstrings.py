@@ -9,8 +9,9 @@ import pkgutil
 import pytest
 
 import affinecert
+from affinecert.catalogue import CATALOGUE
 
-FAMILIES = ("so3", "se3", "scale", "shear", "affine_lie", "sam", "measures")
+FAMILIES = tuple(dict.fromkeys(entry.family for entry in CATALOGUE.values()))
 
 MODULES = [found.name for found in pkgutil.iter_modules(affinecert.__path__, "affinecert.") if not found.ispkg]
 
