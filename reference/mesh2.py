@@ -22,7 +22,6 @@ from affinecert.reference import _domain, homotopy2
 from affinecert.reference._exact import determinant_sign
 from affinecert.reference._least_squares import Square, minimiser
 from affinecert.reference._matrices import Array, Context, Number, array, scalar
-from affinecert.reference._precision import span
 
 
 @dataclass(frozen=True)
@@ -190,9 +189,7 @@ def _interpolated(ctx: Context, count: int, faces: list[tuple[Face, Energy]], lo
         size = max(size, 1 + max(i for square in mine for i, _ in square.terms))
     for each in loci:
         if each.weight is not None:
-            squares += [
-                Square(each.weight, [(2 * each.vertex + axis, ctx.one)], each.place[axis]) for axis in (0, 1)
-            ]
+            squares += [Square(each.weight, [(2 * each.vertex + axis, ctx.one)], each.place[axis]) for axis in (0, 1)]
     solution = minimiser(ctx, squares, size, known)
     if solution is None:
         raise InputError("triangles", "the minimiser is not unique")
