@@ -277,9 +277,10 @@ WITH_LOGARITHMS = (
             spectra.COALESCING,
             spectra.DEFECTIVE,
             spectra.ROTATION,
-            spectra.BOUNDARY,
+            spectra.NEAR_MINUS_ONE,
             spectra.NO_LOGARITHM,
         )
     ),
+    ONE_POSE_AT_PI,
 )
 """Poses by the logarithms that they have themselves."""
