@@ -187,9 +187,7 @@ def _with_first_vertex(edges: Array) -> Array:
     return vertices
 
 
-def _powers_between(
-    start: _Frame, origin: Array, end: _Frame, goal: Array, t: Array
-) -> tuple[Array, Array, Array]:
+def _powers_between(start: _Frame, origin: Array, end: _Frame, goal: Array, t: Array) -> tuple[Array, Array, Array]:
     """The powers of what takes one alignment to another, each with its first vertex."""
     (ratio,) = run(stages.divided, end.upper, start.upper)
     turn, shift = run(stages.relative, start.rotation, origin, end.rotation, goal)

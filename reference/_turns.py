@@ -17,7 +17,9 @@ LARGE = 3
 
 def factors(ctx: Context, linear: Array) -> tuple[Array, Array]:
     """The polar factors R and S of a linear map L = R S, det L > 0: the nearest rotation, and the symmetric rest."""
-    rotation = _nearest_of_plane(ctx, linear) if len(linear) == 2 else so3.nearest_rotation(ctx, linear, linear.T @ linear)
+    rotation = (
+        _nearest_of_plane(ctx, linear) if len(linear) == 2 else so3.nearest_rotation(ctx, linear, linear.T @ linear)
+    )
     stretch = rotation.T @ linear
     return rotation, (stretch + stretch.T) / 2
 

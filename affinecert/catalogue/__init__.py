@@ -11,7 +11,11 @@ from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 
 CATALOGUE: Mapping[str, Map] = MappingProxyType(
-    {entry.name: entry for family in (so3, se3, scale, shear, sym3, affine_lie, sam, quaternion, morphs) for entry in family.MAPS}
+    {
+        entry.name: entry
+        for family in (so3, se3, scale, shear, sym3, affine_lie, sam, quaternion, morphs)
+        for entry in family.MAPS
+    }
 )
 """Every map by its name, in the order in which everything shows them."""
 

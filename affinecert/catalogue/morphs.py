@@ -142,7 +142,7 @@ MAPS = (
     ),
     _morph(
         "three_spiral",
-        "each corner of 0, e_1, e_2 the mean of its two sides' p + (z^t - 1) / (z - 1) (p' - p), z the ratio of the side",
+        "corners of 0, e_1, e_2 the means of their two sides' p + (z^t - 1) / (z - 1) (p' - p), z the ratio of a side",
         "rossignac_vinacua, section 2.4 (d), after Whited and others 2010",
         (
             *regimes((*EVERYWHERE, *BETWEEN_TURNS), (2,), IN_PLANE),
@@ -184,7 +184,7 @@ MAPS = (
     ),
     _morph(
         "dual_quaternion_linear",
-        "normalised (1 - t) p + t s q, p and q unit dual quaternions of B and C, s the sign of p . q of their real parts",
+        "normalised (1 - t) p + t s q, p, q the unit dual quaternions of B, C, s the sign of their real parts' product",
         "Kavan and others 2008 (DLB), as in rossignac_vinacua, section 3.3.1",
         _in_space(pose_pairs.IN_RIGID_MOTIONS, pose_pairs.NOT_RIGID),
         domain=RIGID,
