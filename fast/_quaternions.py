@@ -25,7 +25,7 @@ def of_rotation(rotation: Array) -> Array:
 
 def conjugate(q: Array) -> Array:
     """The conjugate (w, -x, -y, -z)."""
-    return q * CONJUGATE
+    return np.asarray(q * CONJUGATE)
 
 
 def product(p: Array, q: Array) -> Array:

@@ -37,8 +37,8 @@ def three_spiral(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
 
     The similarity that takes a side of the triangle's image under B to that under C, z the complex ratio of the two,
     takes an end p of it to p' by way of p + (z^t - 1) / (z - 1) (p' - p). Each corner is the mean of where its two
-    sides take it. A z on the negative axis turns by pi. Rossignac and Vinacua, section 2.4 (d), after Whited and others,
-    BetweenIT (2010).
+    sides take it. A z on the negative axis turns by pi. Rossignac and Vinacua, section 2.4 (d), after Whited and
+    others, BetweenIT (2010).
     """
     way = affine_way(start, end, t, (3,))
     first, last = (_sides(linear) for linear in (way.first, way.last))

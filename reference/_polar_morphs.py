@@ -77,8 +77,8 @@ def polar_exponential(ctx: Context, start: Array, end: Array, t: Array, near: Ar
     """
     with _ways.affine(ctx, start, end, t):
         (first, first_stretch), (last, last_stretch) = _factors(ctx, start, end)
-        logs = (of_symmetric(ctx, exactly(stretch), logarithm(ctx)) for stretch in (first_stretch, last_stretch))
-        stretch = of_symmetric(ctx, exactly(mixed(*logs, t)), exponential(ctx))
+        one, other = (of_symmetric(ctx, exactly(stretch), logarithm(ctx)) for stretch in (first_stretch, last_stretch))
+        stretch = of_symmetric(ctx, exactly(mixed(one, other, t)), exponential(ctx))
         turns, translation = _mixed_turns(ctx, first, last, t), straight(start, end, t)
         return nearest(ctx, near, (homogeneous(ctx, turn @ stretch, translation) for turn in turns))
 

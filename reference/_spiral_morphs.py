@@ -37,8 +37,8 @@ def three_spiral(ctx: Context, start: Array, end: Array, t: Array, near: Array |
 
     The similarity that takes a side of the triangle's image under B to that under C, z the complex ratio of the two,
     takes an end p of it to p' by way of p + (z^t - 1) / (z - 1) (p' - p). Each corner is the mean of where its two
-    sides take it. A z on the negative axis turns by pi. Rossignac and Vinacua, section 2.4 (d), after Whited and others,
-    BetweenIT (2010).
+    sides take it. A z on the negative axis turns by pi. Rossignac and Vinacua, section 2.4 (d), after Whited and
+    others, BetweenIT (2010).
     """
     with _ways.affine(ctx, start, end, t):
         first, last = _corners(ctx, start), _corners(ctx, end)
