@@ -6,8 +6,8 @@ import numpy as np
 
 from affinecert.fast import _wide as wide
 from affinecert.fast._kernel import Array
-from affinecert.fast._spirals import direction
 from affinecert.fast._wide_rotation import rotation_vector
+from affinecert.fast._wide_vectors import direction
 
 # The product p q is that of the matrix with the entries p[INDEX] SIGN and q.
 INDEX = np.array([[0, 1, 2, 3], [1, 0, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]])
@@ -23,14 +23,9 @@ def of_rotation(rotation: Array) -> Array:
     return np.concatenate([cosine[..., None, :], wide.multiply(axis, sine[..., None, :])], axis=-2)
 
 
-def inner(p: Array, q: Array) -> Array:
-    """The inner product, (..., 2)."""
-    return wide.product(p[..., None, :, :], q[..., :, None, :])[..., 0, 0, :]
-
-
 def conjugate(q: Array) -> Array:
     """The conjugate (w, -x, -y, -z)."""
-    return q * CONJUGATE
+    return np.asarray(q * CONJUGATE)
 
 
 def product(p: Array, q: Array) -> Array:

@@ -1,7 +1,7 @@
 """How far and how fast a point gets on a spiral: powers and logarithms of similarities, as pairs.
 
 A similarity W that moves p by d moves it by g(log z) d under W^t, where g(l) = (e^(t l) - 1) / (e^l - 1) and z is W's
-scale along its axis, and as a complex number its scale and turn in the plane across. The velocity with which it leaves p
+scale along its axis, and as a complex number its scale and turn in the plane across. The velocity at which it leaves p
 is h(log z) d, h(l) = l / (e^l - 1).
 """
 
@@ -14,11 +14,15 @@ from affinecert.fast._double_double import ONE, add, divide, multiply, multiply_
 from affinecert.fast._elementary import exponential, exponential_less_one, sine_cosine
 from affinecert.fast._kernel import Array, compiled, kernel
 from affinecert.fast._stages import run
+from affinecert.fast._wide_vectors import cross, direction, inner
 
 NUMBER = (2,)
 
 ComplexNumbers = tuple[Array, Array]
 """Real and imaginary parts, pairs."""
+
+# Below it, as long as t l is below it too, g(l) is t + t (t - 1) l / 2 and h(l) is 1 - l / 2 up to 2^-108.
+STRAIGHT = 2.0**-54
 
 
 @compiled
@@ -27,47 +31,48 @@ def _complex_exponential_less_one(log: complex, angle: complex) -> tuple[complex
 
     With E = e^log - 1 it is E - 2 (1 + E) sin^2(angle/2) + i (1 + E) sin(angle).
     """
-    less = exponential_less_one(log)
-    grown = exponential(log)
-    half_sine, half_cosine = sine_cosine(scaled(angle, 0.5))
-    real = subtract(less, scaled(multiply(grown, multiply(half_sine, half_sine)), 2.0))
-    return real, scaled(multiply(grown, multiply(half_sine, half_cosine)), 2.0)
+    less, grown = exponential_less_one(log), exponential(log)
+    sine, cosine = sine_cosine(scaled(angle, 0.5))
+    real = subtract(less, scaled(multiply(grown, multiply(sine, sine)), 2.0))
+    return real, scaled(multiply(grown, multiply(sine, cosine)), 2.0)
 
 
 @compiled
-def _quotient(u: complex, v: complex, x: complex, y: complex, square: complex) -> tuple[complex, complex]:
-    """The quotient (u + i v) / (x + i y), the square of the divisor's size being given."""
+def _quotient(u: complex, v: complex, x: complex, y: complex) -> tuple[complex, complex]:
+    """The quotient (u + i v) / (x + i y)."""
+    square = multiply_add(x, x, multiply(y, y))
     real = divide(add(multiply(u, x), multiply(v, y)), square)
     return real, divide(subtract(multiply(v, x), multiply(u, y)), square)
 
 
 @kernel(inputs={"log": NUMBER, "angle": NUMBER, "t": ()}, outputs=(NUMBER, NUMBER, NUMBER, NUMBER))
-def _progress(
+def _quotients(
     log: Array, angle: Array, t: float, real: Array, imaginary: Array, speed: Array, drift: Array, _status: Array
 ) -> None:
     """Real and imaginary parts of g and of h."""
     a, b = complex(log[0], log[1]), complex(angle[0], angle[1])
-    x, y = _complex_exponential_less_one(a, b)
-    u, v = _complex_exponential_less_one(times(a, t), times(b, t))
-    square = multiply_add(x, x, multiply(y, y))
-    # Where the square underflows g is t to the last bit, and h is 1.
-    first, second, third, fourth = complex(t, 0.0), 0j, ONE, 0j
-    if square.real > 0.0:
-        first, second = _quotient(u, v, x, y, square)
-        third, fourth = _quotient(a, b, x, y, square)
+    if max(abs(a.real), abs(b.real)) * max(1.0, abs(t)) < STRAIGHT:
+        bend = 0.5 * t * (t - 1.0)
+        first, second = add(complex(t, 0.0), times(a, bend)), times(b, bend)
+        third, fourth = subtract(ONE, scaled(a, 0.5)), scaled(b, -0.5)
+    else:
+        x, y = _complex_exponential_less_one(a, b)
+        u, v = _complex_exponential_less_one(times(a, t), times(b, t))
+        first, second = _quotient(u, v, x, y)
+        third, fourth = _quotient(a, b, x, y)
     real[0], real[1], imaginary[0], imaginary[1] = first.real, first.imag, second.real, second.imag
     speed[0], speed[1], drift[0], drift[1] = third.real, third.imag, fourth.real, fourth.imag
 
 
 def progress(log: Array, angle: Array, t: Array) -> ComplexNumbers:
     """The quotient (z^t - 1) / (z - 1), z of that logarithm of its size and of that angle; t for z = 1."""
-    real, imaginary, _, _ = run(_progress, log, angle, t)
+    real, imaginary, _, _ = run(_quotients, log, angle, t)
     return real, imaginary
 
 
 def rate(log: Array, angle: Array) -> ComplexNumbers:
     """The quotient log(z) / (z - 1), z of that logarithm of its size and of that angle; 1 for z = 1."""
-    _, _, real, imaginary = run(_progress, log, angle, np.array(0.0))
+    _, _, real, imaginary = run(_quotients, log, angle, np.array(0.0))
     return real, imaginary
 
 
@@ -90,35 +95,15 @@ def spiral(turn: Array, log_ratio: Array, t: Array, way: Array) -> Array:
 
 
 def velocity(turn: Array, log_ratio: Array, way: Array) -> Array:
-    """The velocity v with which W^t moves a point of space that W moves by ``way``, both (..., 3, 2), as in `spiral`."""
+    """The velocity at which W^t takes off a point of space that W moves by ``way``, (..., 3, 2); W as in `spiral`."""
     angle, axis = direction(turn)
     return _about(axis, rate(log_ratio, np.zeros_like(angle))[0], rate(log_ratio, angle), way)
 
 
 def _about(axis: Array, straight: Array, turned: ComplexNumbers, x: Array) -> Array:
-    """The vector x times a real number along an axis, and in the plane across times a complex one."""
-    along = wide.multiply(axis, _inner(axis, x)[..., None, :])
+    """The part of a vector along an axis times a real number, the one across times a complex number."""
+    along = wide.multiply(axis, inner(axis, x)[..., None, :])
     across = wide.subtract(x, along)
-    parts = ((straight, along), (turned[0], across), (turned[1], _cross(axis, across)))
+    parts = ((straight, along), (turned[0], across), (turned[1], cross(axis, across)))
     first, second, third = (wide.multiply(part, factor[..., None, :]) for factor, part in parts)
     return wide.add(wide.add(first, second), third)
-
-
-def _inner(a: Array, b: Array) -> Array:
-    return wide.product(a[..., None, :, :], b[..., :, None, :])[..., 0, 0, :]
-
-
-def direction(x: Array) -> tuple[Array, Array]:
-    """Length and unit vector; 0 and 0 for a vector without any."""
-    exponent = np.frexp(np.abs(x[..., 0]).max(axis=-1))[1]
-    unit = np.ldexp(x, -exponent[..., None, None])
-    length = wide.square_root(_inner(unit, unit))
-    some = length[..., 0] > 0.0
-    divisor = np.where(some[..., None], length, 1.0)[..., None, :]
-    return np.ldexp(length, exponent[..., None]), np.where(some[..., None, None], wide.divide(unit, divisor), 0.0)
-
-
-def _cross(a: Array, b: Array) -> Array:
-    (a1, a2, a3), (b1, b2, b3) = (np.moveaxis(x, -2, 0) for x in (a, b))
-    entries = ((a2, b3, a3, b2), (a3, b1, a1, b3), (a1, b2, a2, b1))
-    return np.stack([wide.subtract(wide.multiply(p, q), wide.multiply(r, s)) for p, q, r, s in entries], axis=-2)

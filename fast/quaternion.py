@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 
 from affinecert.fast import _wide as wide
 from affinecert.fast._kernel import Array, checked
-from affinecert.fast._quaternions import inner
 from affinecert.fast._stages import refuse
+from affinecert.fast._wide_vectors import inner
 
 NOT_UNIT = "not a unit quaternion: its length is further than 1e-6 from 1"
 
