@@ -34,6 +34,8 @@ TETRAHEDRON = np.array([[1.0, 1, 1], [3, 1, 1], [2, 4, 1], [1, 2, 3]])
 HALF = np.array(0.5)
 PLANE = plane([[2, 1], [0, 3]])
 SPACE = space(STRETCH @ TURN)
+STEADY = plane([[1, 1], [0, 2]])
+SPIRAL = plane([[0, -1], [1, 1]])
 
 GOOD: dict[str, tuple[Array, ...]] = {
     "so3.exp": (np.array([1.0, -2, 0.5]),),
@@ -58,6 +60,19 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "sam.morph": (PLANE, plane([[1, 1], [0, 2]]), HALF),
     "sam.fixed_point": (PLANE,),
     "sam.velocity": (PLANE, np.array([1.0, 2.0])),
+    "curves.shear_curve": (np.stack([SHEAR, np.eye(3)]), HALF),
+    "curves.scale_curve": (np.array([1.0, 2.0]), HALF),
+    "curves.rigid_curve": (np.stack([space(TURN), np.eye(4)]), HALF),
+    "curves.affine_curve": (np.stack([SPACE, np.eye(4)]), HALF),
+    "curves.subdivided_curve": (np.stack([SPACE, np.eye(4)]), HALF),
+    "curves.poly_sam": (np.stack([PLANE, STEADY]), HALF),
+    "curves.bezier_quadratic": (IDENTITY, PLANE, STEADY, HALF),
+    "curves.bezier_cubic": (IDENTITY, PLANE, STEADY, IDENTITY, HALF),
+    "curves.biarc": (IDENTITY, PLANE, STEADY, HALF),
+    "curves.four_point": (np.stack([IDENTITY, PLANE, STEADY]),),
+    "curves.patch": (IDENTITY, PLANE, STEADY, IDENTITY, HALF, HALF),
+    "curves.regular_pattern": (PLANE, STEADY),
+    "curves.grazing_parameter": (SPIRAL, np.array([1.0, 2.0]), np.array([1.0, 0.0]), np.array([0.0, 1.0])),
 }
 """Good inputs of every map, one item each."""
 
@@ -114,7 +129,9 @@ def test_what_is_no_array_is_refused(name: str, number: int, value: Any) -> None
 @pytest.mark.parametrize(("name", "number"), MATRICES)
 def test_wrong_shapes_are_refused(name: str, number: int) -> None:
     good = GOOD[name][number]
-    for bad in (good[..., :-1], good[:-1], np.array(1.0), np.zeros((0,)), np.zeros((7, 7))):
+    # Seven by seven numbers are a batch where one item is a row of any number of them.
+    square = [np.zeros((7, 7))] if CATALOGUE[name].arguments[number].shape != ("keys",) else []
+    for bad in (good[..., :-1], good[:-1], np.array(1.0), np.zeros((0,)), *square):
         error = refused(name, with_argument(name, number, bad))
         assert "shape" in error.reason
         assert str(bad.shape) in error.reason
@@ -238,6 +255,40 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("sam.fixed_point", 0, plane(np.eye(2)), "fixed point"),
     ("sam.fixed_point", 0, space([[1, 0, 0], [0, 2, 0], [0, 0, 3]]), "fixed point"),
     ("sam.fixed_point", 0, last_row(PLANE), "last row"),
+    ("curves.shear_curve", 0, np.stack([SHEAR, 2 * SHEAR]), "not a shear"),
+    ("curves.shear_curve", 0, np.stack([SHEAR, np.diag([1.0, -1, 1])]), "not positive"),
+    ("curves.scale_curve", 0, np.array([1.0, -5e-324]), "not positive"),
+    ("curves.rigid_curve", 0, np.stack([space(TURN), space(mirrored(TURN))]), "not a rotation"),
+    ("curves.rigid_curve", 0, np.stack([space(OFF), space(TURN)]), "not a rotation"),
+    ("curves.rigid_curve", 0, np.stack([space(TURN), last_row(space(TURN))]), "last row"),
+    *(
+        (name, 0, np.stack([SPACE, bad]), reason)
+        for name in ("curves.affine_curve", "curves.subdivided_curve")
+        for bad, reason in ((singular(SPACE), "determinant"), (last_row(SPACE), "last row"))
+    ),
+    ("curves.poly_sam", 0, np.stack([PLANE, mirrored(PLANE)]), "determinant"),
+    ("curves.poly_sam", 0, np.stack([last_row(PLANE), PLANE]), "last row"),
+    ("curves.poly_sam", 0, np.stack([IDENTITY, NO_LOGARITHM[0]]), "no real logarithm"),
+    ("curves.four_point", 0, np.stack([IDENTITY, NO_LOGARITHM[1], PLANE]), "no real logarithm"),
+    ("curves.four_point", 0, np.stack([IDENTITY, PLANE, singular(PLANE)]), "determinant"),
+    *(
+        row
+        for name in ("bezier_quadratic", "bezier_cubic", "biarc", "patch")
+        for row in (
+            (f"curves.{name}", 0, mirrored(PLANE), "determinant"),
+            (f"curves.{name}", 1, last_row(PLANE), "last row"),
+            (f"curves.{name}", 1, NO_LOGARITHM[0], "no real logarithm"),
+            (f"curves.{name}", 1, NO_LOGARITHM[1], "no real logarithm"),
+        )
+    ),
+    ("curves.regular_pattern", 0, singular(PLANE), "determinant"),
+    ("curves.regular_pattern", 1, last_row(PLANE), "last row"),
+    ("curves.regular_pattern", 1, plane(np.array(PLANE)[:2, :2] @ [[-1, 0], [0, -2]]), "no real logarithm"),
+    *(("curves.grazing_parameter", 0, bad, "no real logarithm") for bad in NO_LOGARITHM[:2]),
+    ("curves.grazing_parameter", 0, mirrored(PLANE), "determinant"),
+    ("curves.grazing_parameter", 0, last_row(PLANE), "last row"),
+    ("curves.grazing_parameter", 0, plane(np.eye(2)), "degenerate"),
+    ("curves.grazing_parameter", 0, plane(2 * np.eye(2)), "degenerate"),
 ]
 """Inputs outside the domain: map, number of the argument, its value, and what the message says."""
 
