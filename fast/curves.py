@@ -89,8 +89,8 @@ def scale_curve(scales: ArrayLike, t: ArrayLike) -> Array:
 
     t (...), any number; gives (...). Refuses scales that are not positive.
 
-    >>> scale_curve([1.0, 2.0, 16.0], [0.5, 1.0, 1.5]) ** 4
-    array([4.0000e+00, 1.6000e+01, 1.0240e+03])
+    >>> scale_curve([1.0, 2.0, 16.0], [0.0, 1.0, 1.5, 2.0])
+    array([ 1.,  2.,  4., 16.])
     """
     keys, time = _through("scales", scales, (), t)
     refuse((keys > 0.0).all(axis=-1).astype(np.float64), 0.0, "scales", "not positive", keys.shape[:-1])

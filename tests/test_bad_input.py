@@ -37,6 +37,8 @@ PLANE = plane([[2, 1], [0, 3]])
 SPACE = space(STRETCH @ TURN)
 POINTS = np.arange(14.0).reshape(7, 2) % 5
 KEYS = np.stack([space(IDENTITY), space(2 * TURN), space(TURN @ TURN)])
+STEADY = plane([[1, 1], [0, 2]])
+SPIRAL = plane([[0, -1], [1, 1]])
 
 GOOD: dict[str, tuple[Array, ...]] = {
     "so3.exp": (np.array([1.0, -2, 0.5]),),
@@ -74,6 +76,19 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "splines.evaluate": (POINTS, np.array([4.0, 3.0]), HALF),
     "splines.motion": (KEYS, HALF),
     "splines.smooth_motion": (KEYS, HALF),
+    "curves.shear_curve": (np.stack([SHEAR, np.eye(3)]), HALF),
+    "curves.scale_curve": (np.array([1.0, 2.0]), HALF),
+    "curves.rigid_curve": (np.stack([space(TURN), np.eye(4)]), HALF),
+    "curves.affine_curve": (np.stack([SPACE, np.eye(4)]), HALF),
+    "curves.subdivided_curve": (np.stack([SPACE, np.eye(4)]), HALF),
+    "curves.poly_sam": (np.stack([PLANE, STEADY]), HALF),
+    "curves.bezier_quadratic": (IDENTITY, PLANE, STEADY, HALF),
+    "curves.bezier_cubic": (IDENTITY, PLANE, STEADY, IDENTITY, HALF),
+    "curves.biarc": (IDENTITY, PLANE, STEADY, HALF),
+    "curves.four_point": (np.stack([IDENTITY, PLANE, STEADY]),),
+    "curves.patch": (IDENTITY, PLANE, STEADY, IDENTITY, HALF, HALF),
+    "curves.regular_pattern": (PLANE, STEADY),
+    "curves.grazing_parameter": (SPIRAL, np.array([1.0, 2.0]), np.array([1.0, 0.0]), np.array([0.0, 1.0])),
 }
 """Good inputs of every map, one item each."""
 
@@ -287,6 +302,40 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     *((name, 0, with_last(space(mirrored(TURN))), "not a similarity") for name in MOTIONS),
     *((name, 0, with_last(space(STRETCH)), "not a similarity") for name in MOTIONS),
     *((name, 0, with_last(last_row(space(TURN))), "last row") for name in MOTIONS),
+    ("curves.shear_curve", 0, np.stack([SHEAR, 2 * SHEAR]), "not a shear"),
+    ("curves.shear_curve", 0, np.stack([SHEAR, np.diag([1.0, -1, 1])]), "not positive"),
+    ("curves.scale_curve", 0, np.array([1.0, -5e-324]), "not positive"),
+    ("curves.rigid_curve", 0, np.stack([space(TURN), space(mirrored(TURN))]), "not a rotation"),
+    ("curves.rigid_curve", 0, np.stack([space(OFF), space(TURN)]), "not a rotation"),
+    ("curves.rigid_curve", 0, np.stack([space(TURN), last_row(space(TURN))]), "last row"),
+    *(
+        (name, 0, np.stack([SPACE, bad]), reason)
+        for name in ("curves.affine_curve", "curves.subdivided_curve")
+        for bad, reason in ((singular(SPACE), "determinant"), (last_row(SPACE), "last row"))
+    ),
+    ("curves.poly_sam", 0, np.stack([PLANE, mirrored(PLANE)]), "determinant"),
+    ("curves.poly_sam", 0, np.stack([last_row(PLANE), PLANE]), "last row"),
+    ("curves.poly_sam", 0, np.stack([IDENTITY, NO_LOGARITHM[0]]), "no real logarithm"),
+    ("curves.four_point", 0, np.stack([IDENTITY, NO_LOGARITHM[1], PLANE]), "no real logarithm"),
+    ("curves.four_point", 0, np.stack([IDENTITY, PLANE, singular(PLANE)]), "determinant"),
+    *(
+        row
+        for name in ("bezier_quadratic", "bezier_cubic", "biarc", "patch")
+        for row in (
+            (f"curves.{name}", 0, mirrored(PLANE), "determinant"),
+            (f"curves.{name}", 1, last_row(PLANE), "last row"),
+            (f"curves.{name}", 1, NO_LOGARITHM[0], "no real logarithm"),
+            (f"curves.{name}", 1, NO_LOGARITHM[1], "no real logarithm"),
+        )
+    ),
+    ("curves.regular_pattern", 0, singular(PLANE), "determinant"),
+    ("curves.regular_pattern", 1, last_row(PLANE), "last row"),
+    ("curves.regular_pattern", 1, plane(np.array(PLANE)[:2, :2] @ [[-1, 0], [0, -2]]), "no real logarithm"),
+    *(("curves.grazing_parameter", 0, bad, "no real logarithm") for bad in NO_LOGARITHM[:2]),
+    ("curves.grazing_parameter", 0, mirrored(PLANE), "determinant"),
+    ("curves.grazing_parameter", 0, last_row(PLANE), "last row"),
+    ("curves.grazing_parameter", 0, plane(np.eye(2)), "degenerate"),
+    ("curves.grazing_parameter", 0, plane(2 * np.eye(2)), "degenerate"),
 ]
 """Inputs outside the domain: map, number of the argument, its value, and what the message says."""
 

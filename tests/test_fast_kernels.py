@@ -31,6 +31,9 @@ FREE = {"times", "segments", "dims"}
 
 BATCH = 6
 
+FREE = {"keys"}
+"""Last sizes of arguments that may be any number."""
+
 
 def named(entry: Map) -> str:
     return entry.name

@@ -78,7 +78,7 @@ def _fewer(regimes: Sequence[Regime], share: float) -> tuple[Regime, ...]:
 
 def _group_curve(regimes: Sequence[Regime], count: int, share: float) -> tuple[Regime, ...]:
     """Regimes of keys in a group, between the keys; and for the first of them about the keys."""
-    knots = range(count)
+    knots = [float(key) for key in range(count)]
     inside = [timed(regime, INSIDE, knots) for regime in regimes]
     return _fewer((*inside, *_through(knots, (AT_KEYS, NEAR_KEYS, EXTRAPOLATION), regimes[0])), share)
 
