@@ -75,6 +75,31 @@ class LawRecord:
 
 
 @dataclass(frozen=True)
+class MorphLawRecord:
+    """A cell of the law matrix: what became of a law of morphs, tried on one morph.
+
+    ``verdict`` is holds; partly, if it holds on a part of the pairs of poses that the morph ``takes``, of which
+    ``holds_on`` tells the widest; fails; unclear, if the residual is neither rounding nor anything else; void, if the
+    law says nothing of the morph; or absent. ``inputs``, as hexadecimal floats, are the simplest pair of poses found
+    on which it fails, start and end, and for the law of continuity the pair next to it; ``residual`` is the one
+    there, or else the largest of all ``examples``. ``confirmed`` says that the reference agrees. ``value`` is the
+    average relative acceleration between standard poses, in the cell of that law.
+    """
+
+    morph: str
+    law: str
+    verdict: str
+    takes: str
+    holds_on: tuple[str, ...] = ()
+    residual: float = 0.0
+    examples: int = 0
+    inputs: tuple[Any, ...] = ()
+    confirmed: bool = False
+    value: float | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True)
 class Timing:
     """The best time per item over a few rounds, at that batch size."""
 
