@@ -18,7 +18,7 @@ import jsonschema
 
 from affinecert.errors import StoredFileError
 
-FORMAT = 1
+FORMAT = 2
 """The version of the record's form; raised when a reader of the old form would misread the new one."""
 
 SHOWN_FINDINGS = 5
@@ -121,7 +121,10 @@ class Machine:
 
 @dataclass(frozen=True)
 class Certificate:
-    """The record of a run; ``spec`` is what the subject is called on the command line."""
+    """The record of a run; ``spec`` is what the subject is called on the command line.
+
+    ``morph_laws`` is the law matrix, row by row. A law that a morph breaks is a property of the morph: no finding.
+    """
 
     subject: str
     subject_version: str
@@ -137,6 +140,7 @@ class Certificate:
     laws: tuple[LawRecord, ...]
     timings: tuple[Timing, ...]
     absent: tuple[str, ...] = field(default=())
+    morph_laws: tuple[MorphLawRecord, ...] = field(default=())
 
     @property
     def cases(self) -> int:
@@ -205,6 +209,12 @@ def case_result(record: Mapping[str, Any]) -> CaseResult:
     return CaseResult(**{**record, **numbers, "backward": None if backward is None else _number(backward)})
 
 
+def morph_law(record: Mapping[str, Any]) -> MorphLawRecord:
+    """The cell of the law matrix of a JSON record."""
+    lists = {name: tuple(record[name]) for name in ("holds_on", "inputs")}
+    return MorphLawRecord(**{**record, **lists, "residual": _number(record["residual"])})
+
+
 def parse(record: Mapping[str, Any], name: str) -> Certificate:
     """The certificate of a JSON record; ``name`` is the file's, for errors."""
     try:
@@ -228,10 +238,13 @@ def parse(record: Mapping[str, Any], name: str) -> Certificate:
         LawRecord(**{**law, "worst": _number(law["worst"]), "inputs": tuple(law["inputs"])})
         for law in fields.pop("laws")
     )
+    cells = tuple(map(morph_law, fields.pop("morph_laws")))
     timings = tuple(Timing(**timing) for timing in fields.pop("timings"))
     there = Machine(**fields.pop("machine"))
     absent = tuple(fields.pop("absent"))
-    return Certificate(**fields, machine=there, results=results, laws=laws, timings=timings, absent=absent)
+    return Certificate(
+        **fields, machine=there, results=results, laws=laws, timings=timings, absent=absent, morph_laws=cells
+    )
 
 
 def read(path: Path) -> Certificate:

@@ -152,9 +152,9 @@ MILD = Domain("mild", "C B^-1 turns no direction by a right angle or more", _of_
 UPRIGHT = Domain("upright", "neither B nor C turns a direction by a right angle or more", _of_both(_upright))
 FROM_IDENTITY = Domain("from I", "B = I", lambda start, end: np.asarray(size(start - np.eye(start.shape[-1])) == 0))
 SIMILAR = Domain("similar", "C B^-1 is a similarity", _of_step(_similar))
-SIMILARITIES = Domain("both sim.", "B and C are similarities", _of_both(_similar))
+SIMILARITIES = Domain("both sim", "B and C are similarities", _of_both(_similar))
 RIGID = Domain("rigid", "C B^-1 is rigid", _of_step(_rigid))
-RIGID_POSES = Domain("both rig.", "B and C are rigid", _of_both(_rigid))
+RIGID_POSES = Domain("both rig", "B and C are rigid", _of_both(_rigid))
 STRETCH = Domain("stretch", "C B^-1 stretches along orthogonal axes", _of_step(_stretch))
 SHIFT = Domain("shift", "C B^-1 is a translation", _of_step(_identity), trivial=True)
 

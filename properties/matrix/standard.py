@@ -9,6 +9,7 @@ import numpy as np
 from affinecert.errors import InputError
 from affinecert.fast.measures import average_relative_acceleration, simplex_grid
 from affinecert.map import Array
+from affinecert.properties.matrix.domains import ALL, RIGID_POSES, SIMILARITIES, Domain
 from affinecert.properties.matrix.motion import Ask
 
 STEPS, PARTS = 50, 10
@@ -26,19 +27,19 @@ def _rigid(shift: tuple[float, float, float], i: int, j: int) -> Array:
 FIRST, LAST = _rigid((0.0, 0.0, 0.0), 0, 1), _rigid((2.0, 1.0, 0.0), 1, 2)
 GROWN = LAST * np.array([2.0, 2.0, 2.0, 1.0])
 
-PAIRS: Mapping[str, tuple[Array, Array]] = {
-    "all": (
+PAIRS: Mapping[Domain, tuple[Array, Array]] = {
+    ALL: (
         np.array([[1.0, 0.25, 0.0], [0.0, 0.75, 0.0], [0.0, 0.0, 1.0]]),
         np.array([[0.0, -1.5, 2.0], [1.0, 0.5, 1.0], [0.0, 0.0, 1.0]]),
     ),
-    "both sim.": (FIRST, GROWN),
-    "both rig.": (FIRST, LAST),
+    SIMILARITIES: (FIRST, GROWN),
+    RIGID_POSES: (FIRST, LAST),
 }
 """For each domain that is some morph's own: a slanted triangle that turns by a quarter, is stretched and carried away, as
 in figure 2 of Rossignac and Vinacua; and in space a turn about another axis, with growth or without."""
 
 
-def unsteadiness(ask: Ask, domain: str) -> float | None:
+def unsteadiness(ask: Ask, domain: Domain) -> float | None:
     """The average relative acceleration between the standard poses of a domain; None where there is no morph."""
     start, end = PAIRS[domain]
     poses = np.array([ask(start[None], end[None], k / STEPS)[0] for k in range(STEPS + 1)])

@@ -124,7 +124,7 @@ class Trial:
         )
 
     def _record(self, law: MorphLaw, verdict: str, **known: Any) -> MorphLawRecord:
-        value = unsteadiness(self.ask, self.morph.domain.name) if law is STEADINESS else None
+        value = unsteadiness(self.ask, self.morph.domain) if law is STEADINESS else None
         return MorphLawRecord(self.morph.name, law.name, verdict, self.morph.takes, value=value, **known)
 
     @cached_property
