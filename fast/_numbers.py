@@ -55,6 +55,20 @@ def store_vector(entries: Numbers, pairs: Array) -> None:
 
 
 @compiled
+def reduced(matrix: Numbers) -> int:
+    """Divides a matrix by a power of two that makes its largest entry of size 1, and returns the exponent."""
+    largest = 0.0
+    for i in range(matrix.shape[0]):
+        for j in range(matrix.shape[1]):
+            largest = max(largest, abs(matrix[i, j].real))
+    exponent = math.frexp(largest)[1]
+    for i in range(matrix.shape[0]):
+        for j in range(matrix.shape[1]):
+            matrix[i, j] = shifted(matrix[i, j], -exponent)
+    return exponent
+
+
+@compiled
 def image(matrix: Numbers, x: Numbers) -> Numbers:
     """The product of a square matrix and a vector."""
     size = len(x)

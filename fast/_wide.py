@@ -213,10 +213,7 @@ def left_quotient(b: Array, c: Array) -> Array:
 
 def _exact_sign(a: Array) -> float:
     """The sign of the determinant of a linear matrix of pairs, (d, d, 2), in integers."""
-    size = len(a)
-    rows = _exact.integers(np.concatenate([a[..., 0], a[..., 1]]))
-    total = [[x + y for x, y in zip(*both, strict=True)] for both in zip(rows[:size], rows[size:], strict=True)]
-    determinant = _exact.determinant(total)
+    determinant = _exact.determinant(_exact.integers_of_sum(a[..., 0], a[..., 1]))
     return float((determinant > 0) - (determinant < 0))
 
 

@@ -169,7 +169,9 @@ def maps_by_orderings(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> Arr
     As there, but gives homogeneous matrices of pairs (high, low), (..., 12, 4, 4, 2). A point x goes to W^-1 (R^-1 U R
     (x - u) + u - v) for the alignment R of the source, its first vertex u, and the powers U and [W v].
     """
-    first, _, _, start, upper, turn, shift = _powers_between(*_reordered(source, target, t), 4)
+    first, last, time = _reordered(source, target, t)
+    start, end = _frame("source", first), _frame("target", last)
+    upper, turn, shift = _powers_between(start, first[..., 0, :], end, last[..., 0, :], time)
     origin, back = _wide.widen(first[..., 0, :]), _wide.transposed(turn)
     linear = _wide.product(_wide.transposed(start.rotation), _wide.product(upper, start.rotation))
     moved = _wide.subtract(_wide.subtract(origin, shift), _wide.image(linear, origin))
@@ -184,17 +186,37 @@ def _reordered(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> tuple[Arra
     return first[..., ORDERINGS, :], last[..., ORDERINGS, :], time[..., None]
 
 
-def _powers_between(
-    source: ArrayLike, target: ArrayLike, t: ArrayLike, count: int
-) -> tuple[Array, Array, Array, _Frame, Array, Array, Array]:
-    """The checked inputs, the frame of the source, and the powers U, W, v of what lies between source and target."""
-    (first, last, time), _, _ = checked({"source": (count, 3), "target": (count, 3), "t": ()}, (source, target, t))
+def interpolate_edges(source: tuple[Array, Array], target: tuple[Array, Array], t: Array) -> tuple[Array, Array]:
+    """The edges from the first vertex, and that, of the tetrahedron that `interpolate_tetrahedra` gives between two.
+
+    source and target are each edges in rows (..., 3, 3), of positive determinant, and the first vertex (..., 3).
+    """
+    (first, origin), (last, goal) = source, target
+    first, last = _with_first_vertex(first), _with_first_vertex(last)
     start, end = _frame("source", first), _frame("target", last)
+    upper, turn, shift = _powers_between(start, origin, end, goal, t)
+    edges = run(stages.carried_vertices, first, last, t, start.upper, start.rotation, upper, turn, np.zeros((3, 2)))[0]
+    ends = origin[..., None, :], goal[..., None, :]
+    vertex = run(stages.carried_vertices, *ends, t, start.upper, start.rotation, upper, turn, shift)[0]
+    return edges[..., 1:, :], vertex[..., 0, :]
+
+
+def _with_first_vertex(edges: Array) -> Array:
+    """The tetrahedra with those edges from a first vertex at the origin."""
+    vertices = np.zeros((*edges.shape[:-2], 4, 3))
+    vertices[..., 1:, :] = edges
+    return vertices
+
+
+def _powers_between(start: _Frame, origin: Array, end: _Frame, goal: Array, t: Array) -> tuple[Array, Array, Array]:
+    """The powers of what takes one alignment to another, each with its first vertex."""
     (ratio,) = run(stages.divided, end.upper, start.upper)
-    turn, shift = run(stages.relative, start.rotation, first[..., 0, :], end.rotation, last[..., 0, :])
-    return first, last, time, start, *_powers(_Frame(turn, ratio, shift), time)
+    turn, shift = run(stages.relative, start.rotation, origin, end.rotation, goal)
+    return _powers(_Frame(turn, ratio, shift), t)
 
 
 def _between(source: ArrayLike, target: ArrayLike, t: ArrayLike, count: int) -> Array:
-    first, last, time, start, *powers_of = _powers_between(source, target, t, count)
+    (first, last, time), _, _ = checked({"source": (count, 3), "target": (count, 3), "t": ()}, (source, target, t))
+    start, end = _frame("source", first), _frame("target", last)
+    powers_of = _powers_between(start, first[..., 0, :], end, last[..., 0, :], time)
     return run(stages.carried_vertices, first, last, time, start.upper, start.rotation, *powers_of)[0]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from affinecert.errors import InputError
-from affinecert.reference._exact import determinant_sign
-from affinecert.reference._matrices import Array, Context, Number
+from affinecert.reference._exact import determinant, determinant_sign, integers
+from affinecert.reference._matrices import Array, Context, Number, norm
 
 # A matrix counts as a rotation up to this distance ||R^T R - I||_F: rounding to float32 leaves under 3e-7.
 ROTATION_TOLERANCE = 1e-6
+# A matrix counts as symmetric up to this distance ||A - A^T||_F / ||A||_F: rounding to float32 leaves under 9e-8.
+SYMMETRY_TOLERANCE = 1e-6
 
 
 def finite(ctx: Context, name: str, argument: Array) -> None:
@@ -35,6 +37,19 @@ def rotation(ctx: Context, name: str, matrix: Array, gram: Array) -> None:
         raise InputError(name, "not a rotation: R^T R is further than 1e-6 from I, or the determinant is negative")
 
 
+def similarity(ctx: Context, name: str, gram: Array, determinant: Number) -> None:
+    """Refuse a 3x3 matrix L, given by L^T L and det L, that is no positive multiple of a rotation.
+
+    It counts as one where, divided by the cube root of its determinant, it is one within `ROTATION_TOLERANCE`.
+    """
+    if determinant <= 0:
+        raise InputError(name, "not a similarity: the determinant is not positive")
+    square = ctx.cbrt(determinant) ** 2
+    defect = sum((gram[i, j] / square - (i == j)) ** 2 for i in range(3) for j in range(3))
+    if defect > ctx.mpf(ROTATION_TOLERANCE) ** 2:
+        raise InputError(name, "not a similarity: L^T L is further than 1e-6 from I, for L of determinant 1")
+
+
 def affine(ctx: Context, name: str, matrix: Array) -> None:
     """Refuse a homogeneous matrix that is no orientation-preserving affine map."""
     finite(ctx, name, matrix)
@@ -50,3 +65,24 @@ def shear(ctx: Context, name: str, matrix: Array) -> None:
         raise InputError(name, "not a shear: must be upper triangular with first column 1 0 0")
     if not (matrix[1, 1] > 0 and matrix[2, 2] > 0):
         raise InputError(name, "diagonal of the shear is not positive")
+
+
+def linear(ctx: Context, name: str, matrix: Array) -> None:
+    """Refuse a matrix whose determinant is not positive."""
+    finite(ctx, name, matrix)
+    if determinant_sign(matrix) <= 0:
+        raise InputError(name, "determinant is not positive")
+
+
+def symmetric(ctx: Context, name: str, matrix: Array) -> None:
+    """Refuse a matrix that is further than `SYMMETRY_TOLERANCE` from symmetric."""
+    finite(ctx, name, matrix)
+    if norm(ctx, (matrix - matrix.T).flat) > SYMMETRY_TOLERANCE * norm(ctx, matrix.flat):
+        raise InputError(name, "not symmetric: A - A^T is further than 1e-6 |A| from 0")
+
+
+def positive_definite(name: str, matrix: Array) -> None:
+    """Refuse a symmetric matrix that is not positive definite, by the signs of its leading minors."""
+    n, _ = integers(matrix)
+    if not (n[0][0] > 0 and all(determinant([row[:k] for row in n[:k]]) > 0 for k in range(2, len(n) + 1))):
+        raise InputError(name, "not positive definite")

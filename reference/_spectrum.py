@@ -119,7 +119,7 @@ def apply(ctx: Context, linear: Linear, *tasks: tuple[Function, Array]) -> list[
 
 
 def interpolate(ctx: Context, linear: Linear, *tasks: tuple[Function, Array]) -> list[Array]:
-    """The products f(L) X of any real matrix, in Newton's form; f is real on the reals where L has real eigenvalues."""
+    """The products f(L) X, X a vector or a matrix, of any matrix, for f that are real on its real eigenvalues."""
     with ctx.workprec(64):
         rough = nodes(ctx, linear)
         size = rough.a * rough.a + abs(rough.b2)

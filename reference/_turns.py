@@ -8,11 +8,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from affinecert.reference import so3
-from affinecert.reference._matrices import Array, Context, Number, array
+from affinecert.reference._matrices import Array, Context, Number, array, norm
 from affinecert.reference._precision import negligible
 
 # An angle above this has its other logarithm, of 2 pi less, close by.
 LARGE = 3
+
+
+def factors(ctx: Context, linear: Array) -> tuple[Array, Array]:
+    """The polar factors R and S of a linear map L = R S, det L > 0: the nearest rotation, and the symmetric rest."""
+    rotation = (
+        _nearest_of_plane(ctx, linear) if len(linear) == 2 else so3.nearest_rotation(ctx, linear, linear.T @ linear)
+    )
+    stretch = rotation.T @ linear
+    return rotation, (stretch + stretch.T) / 2
 
 
 def logarithms(ctx: Context, rotation: Array) -> Iterator[Array]:
@@ -38,6 +47,14 @@ def exponential(ctx: Context, turn: Array) -> Array:
 def powers(ctx: Context, rotation: Array, t: Number) -> Iterator[Array]:
     """The principal power R^t, and the one of the other logarithm."""
     return (exponential(ctx, turn * t) for turn in logarithms(ctx, rotation))
+
+
+def _nearest_of_plane(ctx: Context, linear: Array) -> Array:
+    """The rotation that is a multiple of L + adj(L)^T, (2, 2)."""
+    (a, b), (c, d) = linear
+    length = norm(ctx, (a + d, c - b))
+    cosine, sine = (a + d) / length, (c - b) / length
+    return array([[cosine, -sine], [sine, cosine]])
 
 
 def _angle(ctx: Context, rotation: Array) -> tuple[Array, Number]:

@@ -68,7 +68,8 @@ def _unit(ctx: Context, name: str, q: Array) -> Array:
     length = norm(ctx, q)
     if abs(length - 1) > UNIT_TOLERANCE:
         raise InputError(name, "not a unit quaternion: its length is further than 1e-6 from 1")
-    return q / length
+    unit: Array = q / length
+    return unit
 
 
 def _on_arc(ctx: Context, p: Array, q: Array, t: Array) -> Array:

@@ -1,8 +1,8 @@
 """Pairs of poses to morph between, by what is difficult in the way from one to the other; in the plane and in space.
 
 Where the angle between two poses matters, both are made of the same few factors, so that every morph's notion of that
-angle (of polar factors of C B^-1, of those of B and C, of aligned edges) agrees: B = s R and C = Q R D with a scale s, a
-rotation R, the turn Q and a diagonal matrix D.
+angle (of the polar factors of C B^-1, of those of B and of C, of their aligned edges) agrees: B = s R and C = Q R D,
+with a scale s, a rotation R, the turn Q and a diagonal matrix D.
 """
 
 from __future__ import annotations
@@ -187,9 +187,13 @@ def _logarithmic_by(kind: spectra.Spectrum) -> Callable[[Draw, int], Ends]:
     return build
 
 
-def _by_turn(kind: Turns, scale: Callable[[Draw], float], starts: tuple[Array, ...] = ()) -> Callable[[Draw, int], Ends]:
-    """Poses in space turned against each other by a turn of that kind, each of its own scale; the start any, or one of
-    ``starts``."""
+def _by_turn(
+    kind: Turns, scale: Callable[[Draw], float], starts: tuple[Array, ...] = ()
+) -> Callable[[Draw, int], Ends]:
+    """Poses in space turned against each other by a turn of that kind, each of its own scale.
+
+    The start is turned anyhow, or as one of ``starts``.
+    """
 
     def build(draw: Draw, size: int) -> Ends:
         turn, start = kind.build(draw), draw.choice(starts) if starts else any_rotation(draw, size)
@@ -277,9 +281,10 @@ WITH_LOGARITHMS = (
             spectra.COALESCING,
             spectra.DEFECTIVE,
             spectra.ROTATION,
-            spectra.BOUNDARY,
+            spectra.NEAR_MINUS_ONE,
             spectra.NO_LOGARITHM,
         )
     ),
+    ONE_POSE_AT_PI,
 )
 """Poses by the logarithms that they have themselves."""

@@ -53,9 +53,11 @@ def _antipodal(draw: Draw) -> Point:
 
 
 def _orthogonal(draw: Draw) -> Point:
-    """p and p i, p j or p k, up to sign: their products cancel exactly, by pairs."""
+    """P and p i, p j or p k, up to sign: their products cancel exactly, by pairs."""
     p = draw.choice((draw.direction(4), draw.choice(tuple(np.eye(4)))))
-    order, signs = draw.choice((((1, 0, 3, 2), (-1, 1, 1, -1)), ((2, 3, 0, 1), (-1, -1, 1, 1)), ((3, 2, 1, 0), (-1, 1, -1, 1))))
+    order, signs = draw.choice(
+        (((1, 0, 3, 2), (-1, 1, 1, -1)), ((2, 3, 0, 1), (-1, -1, 1, 1)), ((3, 2, 1, 0), (-1, 1, -1, 1)))
+    )
     return Point((p, draw.choice((1.0, -1.0)) * np.array(signs) * p[list(order)]), float(np.min(np.abs(p))))
 
 

@@ -1,0 +1,184 @@
+"""Jacobi's rotations, in double-double: the eigenvectors of symmetric matrices, and the polar factors of any.
+
+Rotations of two coordinates at a time keep the small eigenvalues of a positive definite matrix as accurate as its
+scaled form D A D, of unit diagonal, determines them (Demmel and Veselic, "Jacobi's method is more accurate than QR",
+1992), and need no case of their own where eigenvalues meet. Matrices are 2 x 2 or 3 x 3, the largest entry of size 1.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from affinecert.fast._alignment import align
+from affinecert.fast._double_double import (
+    ONE,
+    add,
+    divide,
+    multiply,
+    multiply_add,
+    square_root,
+    subtract,
+)
+from affinecert.fast._kernel import compiled
+from affinecert.fast._numbers import Numbers, dot, shifted
+
+# Coordinates whose coupling is below this part of the geometric mean of their diagonal entries are left alone: some
+# eight units of 2^-106, what the products that make it may be wrong by.
+UNCOUPLED = 2.0**-103
+
+# From any 3 x 3 matrix five or six sweeps arrive; only one that is singular to 2^-100 never does.
+MOST_SWEEPS = 12
+
+
+@compiled
+def identity(size: int) -> Numbers:
+    """The identity matrix."""
+    matrix = np.zeros((size, size), dtype=np.complex128)
+    for i in range(size):
+        matrix[i, i] = ONE
+    return matrix
+
+
+@compiled
+def _tangent(difference: complex, coupling: complex) -> complex:
+    """The tangent t, at most 1, of the rotation that uncouples two coordinates: t^2 + t difference / coupling = 1."""
+    exponent = math.frexp(max(abs(difference.real), abs(coupling.real)))[1]
+    difference, twice = shifted(difference, -exponent), shifted(coupling, 1 - exponent)
+    root = square_root(multiply_add(difference, difference, multiply(twice, twice)))
+    return divide(twice, add(difference, root) if difference.real >= 0.0 else subtract(difference, root))
+
+
+@compiled
+def _turn_columns(matrix: Numbers, p: int, q: int, cosine: complex, sine: complex) -> None:
+    """Rotates two columns into one another."""
+    for i in range(matrix.shape[0]):
+        x, y = matrix[i, p], matrix[i, q]
+        matrix[i, p] = subtract(multiply(cosine, x), multiply(sine, y))
+        matrix[i, q] = multiply_add(sine, x, multiply(cosine, y))
+
+
+@compiled
+def eigenvectors(matrix: Numbers) -> Numbers:
+    """The eigenvectors of a symmetric matrix, in columns; diagonalises the matrix, whose upper half counts."""
+    size = matrix.shape[0]
+    vectors = identity(size)
+    for _ in range(MOST_SWEEPS):
+        coupled = False
+        for p in range(size - 1):
+            for q in range(p + 1, size):
+                x, y, coupling = matrix[p, p], matrix[q, q], matrix[p, q]
+                if abs(coupling.real) <= UNCOUPLED * math.sqrt(abs(x.real)) * math.sqrt(abs(y.real)):
+                    continue
+                coupled = True
+                tangent = _tangent(subtract(y, x), coupling)
+                cosine = divide(ONE, square_root(multiply_add(tangent, tangent, ONE)))
+                sine = multiply(tangent, cosine)
+                moved = multiply(tangent, coupling)
+                matrix[p, p], matrix[q, q], matrix[p, q] = subtract(x, moved), add(y, moved), 0j
+                if size == 3:
+                    r = 3 - p - q
+                    first, second = (min(p, r), max(p, r)), (min(q, r), max(q, r))
+                    x, y = matrix[first], matrix[second]
+                    matrix[first] = subtract(multiply(cosine, x), multiply(sine, y))
+                    matrix[second] = multiply_add(sine, x, multiply(cosine, y))
+                _turn_columns(vectors, p, q, cosine, sine)
+        if not coupled:
+            break
+    return vectors
+
+
+@compiled
+def _orthogonal_columns(matrix: Numbers) -> Numbers:
+    """The rotation V that makes the columns of L V orthogonal; L, which has three columns, becomes that product."""
+    size = matrix.shape[0]
+    vectors = identity(size)
+    for _ in range(MOST_SWEEPS):
+        coupled = False
+        for p in range(size - 1):
+            for q in range(p + 1, size):
+                x, y = dot(matrix[:, p], matrix[:, p]), dot(matrix[:, q], matrix[:, q])
+                coupling = dot(matrix[:, p], matrix[:, q])
+                if abs(coupling.real) <= UNCOUPLED * math.sqrt(x.real) * math.sqrt(y.real):
+                    continue
+                coupled = True
+                tangent = _tangent(subtract(y, x), coupling)
+                cosine = divide(ONE, square_root(multiply_add(tangent, tangent, ONE)))
+                sine = multiply(tangent, cosine)
+                _turn_columns(matrix, p, q, cosine, sine)
+                _turn_columns(vectors, p, q, cosine, sine)
+        if not coupled:
+            break
+    return vectors
+
+
+@compiled
+def _size(column: Numbers) -> float:
+    """The length of a vector."""
+    return math.hypot(math.hypot(column[0].real, column[1].real), column[2].real)
+
+
+@compiled
+def _by_length(matrix: Numbers) -> tuple[int, int, int]:
+    """The numbers of three columns, the longest first."""
+    a, b, c = _size(matrix[:, 0]), _size(matrix[:, 1]), _size(matrix[:, 2])
+    first = 0 if a >= b and a >= c else 1 if b >= c else 2
+    p, q = (first + 1) % 3, (first + 2) % 3
+    if _size(matrix[:, p]) < _size(matrix[:, q]):
+        p, q = q, p
+    return first, p, q
+
+
+@compiled
+def _rotation_of_space(linear: Numbers) -> Numbers:
+    """The rotation U V^T next to L = U D V^T, det L > 0.
+
+    With the columns of L V orthogonal, U is what Gram and Schmidt's method makes of the longer two, and their vector
+    product: so the rotation is as accurate as it is determined, by the sum of the two smaller singular values.
+    """
+    size = 3
+    columns = linear.copy()
+    vectors = _orthogonal_columns(columns)
+    order = _by_length(columns)
+    rows, axes = np.empty((2, size), dtype=np.complex128), np.empty((size, size), dtype=np.complex128)
+    for i in range(2):
+        for j in range(size):
+            rows[i, j] = columns[j, order[i]]
+    if rows[1, 0] == 0j and rows[1, 1] == 0j and rows[1, 2] == 0j:
+        # A matrix of rank one, as far as double-doubles can tell: any direction across the first will do.
+        x, y, z = rows[0, 0], rows[0, 1], rows[0, 2]
+        if abs(x.real) + abs(y.real) >= abs(z.real):
+            rows[1, 0], rows[1, 1] = -y, x
+        else:
+            rows[1, 1], rows[1, 2] = -z, y
+    # The order is cyclic, or it mirrors.
+    parity = 1.0 if order[1] == (order[0] + 1) % 3 else -1.0
+    align(rows, parity, axes, np.empty((size, size), dtype=np.complex128))
+    rotation = np.zeros((size, size), dtype=np.complex128)
+    for n in range(size):
+        for i in range(size):
+            for j in range(size):
+                rotation[i, j] = multiply_add(axes[n, i], vectors[j, order[n]], rotation[i, j])
+    return rotation
+
+
+@compiled
+def _rotation_of_plane(linear: Numbers) -> Numbers:
+    """The rotation next to L, det L > 0: by the angle of (l_11 + l_22, l_21 - l_12)."""
+    cosine, sine = add(linear[0, 0], linear[1, 1]), subtract(linear[1, 0], linear[0, 1])
+    exponent = math.frexp(max(abs(cosine.real), abs(sine.real)))[1]
+    cosine, sine = shifted(cosine, -exponent), shifted(sine, -exponent)
+    length = square_root(multiply_add(cosine, cosine, multiply(sine, sine)))
+    cosine, sine = divide(cosine, length), divide(sine, length)
+    rotation = np.empty((2, 2), dtype=np.complex128)
+    rotation[0, 0], rotation[0, 1], rotation[1, 0], rotation[1, 1] = cosine, -sine, sine, cosine
+    return rotation
+
+
+@compiled
+def polar_rotation(linear: Numbers) -> Numbers:
+    """The rotation R with L = R S, S symmetric and positive definite, of a matrix of positive determinant."""
+    if linear.shape[0] == 2:
+        return _rotation_of_plane(linear)
+    return _rotation_of_space(linear)
