@@ -25,12 +25,15 @@ from pebble import ProcessExpired
 
 from affinecert import catalogue
 from affinecert.case import Case
-from affinecert.certificate import CaseResult, Certificate, LawRecord, case_result, machine, plain
+from affinecert.certificate import CaseResult, Certificate, LawRecord, MorphLawRecord, case_result, machine, plain
 from affinecert.errors import UnknownNameError
 from affinecert.executor import Executor, executor
-from affinecert.judging import judge, law_record, not_answered, obey, resolve, time_map, truths_of
+from affinecert.judging import judge, law_record, morph_laws, not_answered, obey, resolve, time_map, truths_of
+from affinecert.law_matrix import lost
 from affinecert.properties.check import LawResult
 from affinecert.properties.laws import LAWS
+from affinecert.properties.matrix.laws import LAWS as MORPH_LAWS
+from affinecert.properties.matrix.morphs import MORPHS, Morph
 from affinecert.store import Store, reference_version
 from affinecert.subject import Subject
 from affinecert.summary import summarise
@@ -41,7 +44,9 @@ CASE_SECONDS = 20.0
 """The default time limit of a case: it covers a library's import and a compiler's first run."""
 
 LAW_CASES = 10
-"""A law may take as long as so many cases: the slowest takes a tenth of that on the reference, at the default limit."""
+"""A law may take as long as so many cases: the slowest takes a tenth of that on the reference, at the default limit.
+
+And so may a row of the law matrix."""
 
 PATIENCE = 6
 """Calls of a map that may come to nothing before the rest is not asked: enough to find one bad case in a batch."""
@@ -81,6 +86,7 @@ class _Campaign:
     limit: float
     results: dict[str, CaseResult] = field(default_factory=dict)
     laws: dict[str, LawRecord] = field(default_factory=dict)
+    rows: dict[str, tuple[MorphLawRecord, ...]] = field(default_factory=dict)
     pending: dict[Future[Any], Callable[[Future[Any]], None]] = field(default_factory=dict)
     asked: dict[str, list[Future[Any]]] = field(default_factory=lambda: defaultdict(list))
     lost: Counter[str] = field(default_factory=Counter)
@@ -173,6 +179,22 @@ class _Campaign:
         self.total += len(names)
         return names
 
+    def schedule_morphs(self, offered: Sequence[str]) -> list[str]:
+        """Starts the rows of the law matrix of the morphs among the maps offered; their names, in order."""
+        limit = LAW_CASES * self.limit
+        chosen = [morph for morph in MORPHS if morph.map in offered]
+
+        def arrived(morph: Morph, future: Future[Any]) -> None:
+            complaint = _why_lost(future, limit)
+            self.rows[morph.name] = lost(morph, MORPH_LAWS, complaint) if complaint else future.result()
+            self.told(1, f"laws of {morph.name}")
+
+        for morph in chosen:
+            call = self.submit(morph_laws, self.subject, morph.name, [law.name for law in MORPH_LAWS], timeout=limit)
+            self.later(call, partial(arrived, morph))
+        self.total += len(chosen)
+        return [morph.name for morph in chosen]
+
     def go_on(self, cases: Sequence[Case], finished: Mapping[str, Any]) -> None:
         """Starts the cases that an interrupted run has not finished."""
         self.results = {case.key: case_result(finished[case.key]) for case in cases if case.key in finished}
@@ -229,6 +251,7 @@ def certify(
             kept.forget(run)
         state = _Campaign(subject, run, kept, submit, progress, limit)
         laws = state.schedule_laws([entry.name for entry in entries], PROFILES[profile])
+        rows = state.schedule_morphs([entry.name for entry in offered])
         state.go_on(cases, kept.verdicts(run))
         state.drain()
         timings = [submit(time_map, subject, entry.name, timeout=limit * 2) for entry in offered]
@@ -249,4 +272,5 @@ def certify(
         laws=tuple(state.laws[name] for name in laws),
         timings=tuple(future.result() for future in timings if future.exception() is None and future.result()),
         absent=tuple(entry.name for entry in entries if entry.name not in loaded.maps),
+        morph_laws=tuple(cell for name in rows for cell in state.rows[name]),
     )

@@ -18,7 +18,7 @@ import jsonschema
 
 from affinecert.errors import StoredFileError
 
-FORMAT = 1
+FORMAT = 2
 """The version of the record's form; raised when a reader of the old form would misread the new one."""
 
 SHOWN_FINDINGS = 5
@@ -75,6 +75,31 @@ class LawRecord:
 
 
 @dataclass(frozen=True)
+class MorphLawRecord:
+    """A cell of the law matrix: what became of a law of morphs, tried on one morph.
+
+    ``verdict`` is holds; partly, if it holds on a part of the pairs of poses that the morph ``takes``, of which
+    ``holds_on`` tells the widest; fails; unclear, if the residual is neither rounding nor anything else; void, if the
+    law says nothing of the morph; or absent. ``inputs``, as hexadecimal floats, are the simplest pair of poses found
+    on which it fails, start and end, and for the law of continuity the pair next to it; ``residual`` is the one
+    there, or else the largest of all ``examples``. ``confirmed`` says that the reference agrees. ``value`` is the
+    average relative acceleration between standard poses, in the cell of that law.
+    """
+
+    morph: str
+    law: str
+    verdict: str
+    takes: str
+    holds_on: tuple[str, ...] = ()
+    residual: float = 0.0
+    examples: int = 0
+    inputs: tuple[Any, ...] = ()
+    confirmed: bool = False
+    value: float | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True)
 class Timing:
     """The best time per item over a few rounds, at that batch size."""
 
@@ -96,7 +121,10 @@ class Machine:
 
 @dataclass(frozen=True)
 class Certificate:
-    """The record of a run; ``spec`` is what the subject is called on the command line."""
+    """The record of a run; ``spec`` is what the subject is called on the command line.
+
+    ``morph_laws`` is the law matrix, row by row. A law that a morph breaks is a property of the morph: no finding.
+    """
 
     subject: str
     subject_version: str
@@ -112,6 +140,7 @@ class Certificate:
     laws: tuple[LawRecord, ...]
     timings: tuple[Timing, ...]
     absent: tuple[str, ...] = field(default=())
+    morph_laws: tuple[MorphLawRecord, ...] = field(default=())
 
     @property
     def cases(self) -> int:
@@ -180,6 +209,12 @@ def case_result(record: Mapping[str, Any]) -> CaseResult:
     return CaseResult(**{**record, **numbers, "backward": None if backward is None else _number(backward)})
 
 
+def morph_law(record: Mapping[str, Any]) -> MorphLawRecord:
+    """The cell of the law matrix of a JSON record."""
+    lists = {name: tuple(record[name]) for name in ("holds_on", "inputs")}
+    return MorphLawRecord(**{**record, **lists, "residual": _number(record["residual"])})
+
+
 def parse(record: Mapping[str, Any], name: str) -> Certificate:
     """The certificate of a JSON record; ``name`` is the file's, for errors."""
     try:
@@ -203,10 +238,13 @@ def parse(record: Mapping[str, Any], name: str) -> Certificate:
         LawRecord(**{**law, "worst": _number(law["worst"]), "inputs": tuple(law["inputs"])})
         for law in fields.pop("laws")
     )
+    cells = tuple(map(morph_law, fields.pop("morph_laws")))
     timings = tuple(Timing(**timing) for timing in fields.pop("timings"))
     there = Machine(**fields.pop("machine"))
     absent = tuple(fields.pop("absent"))
-    return Certificate(**fields, machine=there, results=results, laws=laws, timings=timings, absent=absent)
+    return Certificate(
+        **fields, machine=there, results=results, laws=laws, timings=timings, absent=absent, morph_laws=cells
+    )
 
 
 def read(path: Path) -> Certificate:

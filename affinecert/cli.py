@@ -199,6 +199,36 @@ def replay(ctx: click.Context, file: Path, subject: str) -> None:
 
 @main.command()
 @subject_argument
+@click.option("--morph", metavar="GLOB", default="*", show_default=True, help="Morphs, by name.")
+@click.option("--law", metavar="GLOB", default="*", show_default=True, help="Laws, by name.")
+@click.option("--jobs", type=click.IntRange(min=1), help="Processes.  [default: one a core]")
+@click.option("--json", "form", flag_value="json", help="As JSON, with every counterexample.")
+@click.option("--markdown", "form", flag_value="markdown", help="As a table in Markdown.")
+def laws(*, subject: str, morph: str, law: str, jobs: int | None, form: str | None) -> None:
+    """Print which morph of SUBJECT keeps which law.
+
+    Every cell is tried on pairs of poses from simple to complex, and confirmed by the reference. A law that a morph
+    breaks is a property of the morph, and no finding. One morph, or one law, is told with its counterexamples:
+
+    affinecert laws fast --morph linear
+    """
+    from affinecert import law_matrix  # noqa: PLC0415
+    from affinecert.reports import matrix  # noqa: PLC0415
+
+    cells = law_matrix.law_matrix(subject, morph=morph, law=law, jobs=jobs or os.cpu_count() or 1)
+    console = _console()
+    if form == "json":
+        click.echo(matrix.as_json(cells))
+    elif form == "markdown":
+        click.echo(matrix.markdown(cells))
+    elif len(matrix.rows(cells)) == 1 or len(matrix.columns(cells)) == 1:
+        matrix.show_cells(cells, console)
+    else:
+        matrix.show(cells, console)
+
+
+@main.command()
+@subject_argument
 @maps_option
 @click.option(
     "--budget",

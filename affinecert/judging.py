@@ -14,13 +14,16 @@ from affinecert import truths
 from affinecert.answering import answers
 from affinecert.case import Case, generate, to_record
 from affinecert.catalogue import CATALOGUE
-from affinecert.certificate import CaseResult, LawRecord, Timing
+from affinecert.certificate import CaseResult, LawRecord, MorphLawRecord, Timing
 from affinecert.errors import InputError
 from affinecert.map import Map
 from affinecert.properties.answers import singly
 from affinecert.properties.check import LawResult, check
 from affinecert.properties.law import Law
 from affinecert.properties.laws import LAWS
+from affinecert.properties.matrix.laws import LAWS as MORPH_LAWS
+from affinecert.properties.matrix.morphs import MORPHS
+from affinecert.properties.matrix.trial import trial
 from affinecert.scoring import Answer, Score, Verdict, block_score, score
 from affinecert.store import default_path
 from affinecert.subject import Subject, load
@@ -148,6 +151,16 @@ def law_record(tried: LawResult) -> LawRecord:
 
 def _law(name: str) -> Law:
     return next(law for law in LAWS if law.name == name)
+
+
+def morph_laws(subject: str | Subject, name: str, laws: Sequence[str]) -> tuple[MorphLawRecord, ...]:
+    """A row of the law matrix: what becomes of those laws on the morph of that name."""
+    morph = next(morph for morph in MORPHS if morph.name == name)
+    function = resolve(subject).maps.get(morph.map)
+    if function is None:
+        return tuple(MorphLawRecord(name, law, "absent", morph.takes) for law in laws)
+    tried = trial(function, morph)
+    return tuple(tried(law) for law in MORPH_LAWS if law.name in laws)
 
 
 ROUND_SECONDS = 0.02

@@ -76,9 +76,20 @@ def shrink(inputs: Inputs, as_bad: Callable[[Inputs], bool], limit: int) -> Inpu
 
     An argument is rounded as a whole, which keeps it near its manifold; entries are simplified one by one.
     """
+    return descend(inputs, _moves(inputs), total, as_bad, limit)[0]
+
+
+def simpler(inputs: Inputs) -> list[Inputs]:
+    """The simpler inputs that are one of `shrink`'s steps away, the simplest first."""
+    limit = total(inputs)
+    return sorted((found for move in _moves(inputs) for found in move(inputs) if total(found) < limit), key=total)
+
+
+def _moves(inputs: Inputs) -> list[Move[Inputs]]:
+    """Roundings of whole arguments, then simplifications of single entries."""
     whole = [partial(_rounded, number) for number in range(len(inputs))]
     single = [partial(_entry, number, place) for number, array in enumerate(inputs) for place in range(array.size)]
-    return descend(inputs, [*whole, *single], total, as_bad, limit)[0]
+    return [*whole, *single]
 
 
 def _replaced(inputs: Inputs, number: int, entries: Sequence[float]) -> Inputs:

@@ -1,0 +1,183 @@
+"""The law matrix as people read it: in a terminal, in Markdown, and for the page."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from affinecert.case import from_hex
+from affinecert.certificate import MorphLawRecord, plain
+from affinecert.properties.matrix.domains import DOMAINS
+from affinecert.properties.matrix.laws import LAWS, STEADINESS
+from affinecert.reports.view import figure
+
+STYLES: Mapping[str, str] = {
+    "holds": "green",
+    "partly": "yellow",
+    "fails": "red",
+    "unclear": "magenta",
+    "void": "dim",
+    "absent": "dim",
+}
+
+WORDS: Mapping[str, str] = {"holds": "yes", "fails": "no", "unclear": "?", "void": "–", "absent": "·"}
+
+MEANINGS: Mapping[str, str] = {
+    "yes": "holds on every pair of poses that was tried and has a morph",
+    "no": "fails; elsewhere than between poses that differ by a translation it may hold nowhere",
+    "–": "says nothing of the morph, which does not take the poses",
+    "?": "could not be told",
+    "·": "the subject does not offer the morph",
+    "!": "the reference does not agree: it is the code that breaks the law, or keeps it",
+}
+"""What stands in the cells, but for the names of domains."""
+
+SHORT: Mapping[str, str] = {domain.words: domain.name for domain in DOMAINS}
+HEADS: Mapping[str, str] = {law.name: law.head for law in LAWS}
+STATEMENTS: Mapping[str, str] = {law.name: f"{law.statement} ({law.source})" for law in LAWS}
+
+
+@dataclass(frozen=True)
+class Row:
+    """The cells of one morph, with the poses that it takes."""
+
+    morph: str
+    takes: str
+    cells: tuple[MorphLawRecord, ...]
+
+
+def rows(cells: Iterable[MorphLawRecord]) -> tuple[Row, ...]:
+    """The matrix, row by row."""
+    found: dict[str, list[MorphLawRecord]] = {}
+    for cell in cells:
+        found.setdefault(cell.morph, []).append(cell)
+    return tuple(Row(name, row[0].takes, tuple(row)) for name, row in found.items())
+
+
+def columns(cells: Iterable[MorphLawRecord]) -> tuple[str, ...]:
+    """The names of the laws, in order."""
+    return tuple(dict.fromkeys(cell.law for cell in cells))
+
+
+def word(cell: MorphLawRecord) -> str:
+    """What stands in a cell: yes, no, or the widest domain on which the law holds; for ARA its value."""
+    if cell.verdict == "partly":
+        told = SHORT.get(cell.holds_on[0], cell.holds_on[0])
+    else:
+        told = WORDS[cell.verdict]
+    if cell.law == STEADINESS.name and cell.value is not None:
+        told = "0" if cell.verdict == "holds" else figure(cell.value)
+    return told + ("" if cell.confirmed or cell.verdict in {"unclear", "void", "absent"} else "!")
+
+
+def sentence(cell: MorphLawRecord) -> str:
+    """A cell in full."""
+    verdicts = {
+        "holds": "holds",
+        "partly": "holds in part",
+        "fails": "fails",
+        "unclear": "is unclear",
+        "void": "says nothing",
+        "absent": "was not tried: the subject does not offer the morph",
+    }
+    parts = [f"{cell.law}: {verdicts[cell.verdict]}"]
+    if cell.verdict in {"holds", "partly", "fails"}:
+        parts.append(f"on {cell.takes} ({cell.examples} tried)" if cell.verdict == "holds" else f"of {cell.takes}")
+    if cell.holds_on:
+        parts.append("holds where " + "; where ".join(cell.holds_on))
+    if cell.verdict in {"holds", "partly", "fails", "unclear"}:
+        parts.append(f"residual {figure(cell.residual)}")
+    if cell.value is not None:
+        parts.append(f"value between the standard poses {figure(cell.value)}")
+    if cell.note:
+        parts.append(cell.note)
+    return ", ".join(parts)
+
+
+def poses(cell: MorphLawRecord) -> tuple[str, ...]:
+    """The poses of a counterexample, without their last rows, as JSON: start and end, and perhaps those next to them."""
+    return tuple(json.dumps(from_hex(pose).tolist()[:-1]) for pose in cell.inputs)
+
+
+def domains(cells: Iterable[MorphLawRecord]) -> tuple[tuple[str, str], ...]:
+    """The domains that are named in cells, short and in words."""
+    named = {cell.holds_on[0] for cell in cells if cell.verdict == "partly"}
+    return tuple((domain.name, domain.words) for domain in DOMAINS if domain.words in named)
+
+
+def symbols(cells: Sequence[MorphLawRecord]) -> tuple[tuple[str, str], ...]:
+    """The words and signs in cells that are no domains, and what they mean."""
+    found = "".join(map(word, cells))
+    return tuple((sign, meaning) for sign, meaning in MEANINGS.items() if sign in found)
+
+
+def counterexamples(cells: Iterable[MorphLawRecord]) -> tuple[MorphLawRecord, ...]:
+    """The cells that have one."""
+    return tuple(cell for cell in cells if cell.inputs)
+
+
+def as_json(cells: Iterable[MorphLawRecord]) -> str:
+    """The cells as JSON, a line each."""
+    return "[\n  " + ",\n  ".join(json.dumps(plain(asdict(cell)), ensure_ascii=False) for cell in cells) + "\n]"
+
+
+def markdown(cells: Sequence[MorphLawRecord]) -> str:
+    """The matrix as a table in Markdown, with what its words mean."""
+    names = columns(cells)
+    lines = [
+        "| | " + " | ".join(HEADS.get(name, name) for name in names) + " |",
+        "|:--|" + ":-:|" * len(names),
+        *(f"| {row.morph} | " + " | ".join(map(word, row.cells)) + " |" for row in rows(cells)),
+        "",
+        *(f"- *{name}*: {words}." for name, words in domains(cells)),
+        *(f"- *{sign}*: {meaning}." for sign, meaning in symbols(cells)),
+    ]
+    return "\n".join(lines)
+
+
+def show(cells: Sequence[MorphLawRecord], console: Console) -> None:
+    """Prints the matrix, in as many parts as the screen needs, and what its words mean."""
+    shown, names = rows(cells), columns(cells)
+    left = max(len(row.morph) for row in shown)
+    room = max((console.width - left) // (WIDTH + 1), 1)
+    for start in range(0, len(names), room):
+        if start:
+            console.print()
+        console.print(_part(shown, range(start, min(start + room, len(names))), names))
+    console.print()
+    for name, meaning in (*domains(cells), *symbols(cells)):
+        console.print(Text.assemble((f"{name:>9}", "bold"), f"  {meaning}"))
+    takes = {row.takes: [other.morph for other in shown if other.takes == row.takes] for row in shown}
+    for pairs, morphs in takes.items():
+        if pairs != DOMAINS[0].words:
+            console.print(Text(f"{', '.join(morphs)}: {pairs}", style="dim"))
+
+
+WIDTH = 8
+"""Characters of a cell: the names of domains and the heads of columns have no more."""
+
+
+def _part(shown: Sequence[Row], places: Iterable[int], names: Sequence[str]) -> Table:
+    grid = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="dim")
+    grid.add_column("", no_wrap=True, min_width=max(len(row.morph) for row in shown))
+    chosen = list(places)
+    for place in chosen:
+        grid.add_column(HEADS.get(names[place], names[place]), no_wrap=True, min_width=WIDTH)
+    for row in shown:
+        told = [Text(word(row.cells[place]), style=STYLES[row.cells[place].verdict]) for place in chosen]
+        grid.add_row(Text(row.morph), *told)
+    return grid
+
+
+def show_cells(cells: Iterable[MorphLawRecord], console: Console) -> None:
+    """Prints cells in full, each with its counterexample."""
+    for cell in cells:
+        console.print(Text.assemble((cell.morph, STYLES[cell.verdict]), f"  {sentence(cell)}"))
+        for name, pose in zip(("B", "C", "next to it B", "and C"), poses(cell), strict=False):
+            console.print(Text(f"  {name} = {pose}"), soft_wrap=True)
+
