@@ -180,4 +180,3 @@ def show_cells(cells: Iterable[MorphLawRecord], console: Console) -> None:
         console.print(Text.assemble((cell.morph, STYLES[cell.verdict]), f"  {sentence(cell)}"))
         for name, pose in zip(("B", "C", "next to it B", "and C"), poses(cell), strict=False):
             console.print(Text(f"  {name} = {pose}"), soft_wrap=True)
-

@@ -131,7 +131,9 @@ class _Drawn:
     def upright(self) -> Array:
         """A matrix that turns no direction by a right angle."""
         wild = self.generator.normal(size=(self.size, self.size))
-        return np.asarray(self.number(0.5, 2.0) * (np.eye(self.size) + self.number(0.5, 0.9) * wild / np.linalg.norm(wild, 2)))
+        return np.asarray(
+            self.number(0.5, 2.0) * (np.eye(self.size) + self.number(0.5, 0.9) * wild / np.linalg.norm(wild, 2))
+        )
 
     def similarity(self, largest: float = 3.0) -> Array:
         return self.number(0.5, 2.0) * self.rotation(largest)

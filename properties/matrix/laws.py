@@ -194,7 +194,9 @@ def _acceleration(motion: Motion) -> Poses:
     corners = np.concatenate([np.zeros((motion.start.shape[-1] - 1, 1)), np.eye(motion.start.shape[-1] - 1)], axis=1)
     points = np.concatenate([corners, np.ones((1, corners.shape[1]))])
     moved = [(inverse(motion.at(t)) @ motion.at(t + 0.25) @ points - points) * 4 for t in (0.0, 0.25, 0.5, 0.75)]
-    changes = [size((after - before)[..., :, k : k + 1]) * 4 for before, after in pairwise(moved) for k in range(len(points))]
+    changes = [
+        size((after - before)[..., :, k : k + 1]) * 4 for before, after in pairwise(moved) for k in range(len(points))
+    ]
     speed = _worst([size(velocity) for velocity in moved])
     return sum(changes[1:], changes[0]) / len(changes) / (1 + speed)
 
@@ -266,8 +268,20 @@ LAWS = (
         f"{ROSSIGNAC}, section 2.3 (3); {BANSAL}, Lemma 5",
         _reversible,
     ),
-    MorphLaw("left invariant", "left", "M(G B, G C) = G M(B, C) for a rigid G", f"{BANSAL}, section 5", _carried(LEFT, left=True)),
-    MorphLaw("right invariant", "right", "M(B H, C H) = M(B, C) H for a rigid H", f"{BANSAL}, section 5", _carried(RIGHT, left=False)),
+    MorphLaw(
+        "left invariant",
+        "left",
+        "M(G B, G C) = G M(B, C) for a rigid G",
+        f"{BANSAL}, section 5",
+        _carried(LEFT, left=True),
+    ),
+    MorphLaw(
+        "right invariant",
+        "right",
+        "M(B H, C H) = M(B, C) H for a rigid H",
+        f"{BANSAL}, section 5",
+        _carried(RIGHT, left=False),
+    ),
     MorphLaw(
         "affine invariant",
         "affine",

@@ -88,4 +88,3 @@ def exactly(ctx: Any, poses: Array) -> Poses:
     numbers = np.empty(poses.shape, dtype=object)
     numbers.flat = [ctx.mpf(x) for x in poses.ravel().tolist()]
     return numbers
-
