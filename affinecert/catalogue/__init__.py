@@ -6,12 +6,16 @@ from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
-from affinecert.catalogue import affine_lie, polar, sam, scale, se3, shear, so3, sym3
+from affinecert.catalogue import affine_lie, kaji_ochiai, polar, sam, scale, se3, shear, so3, sym3
 from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 
 CATALOGUE: Mapping[str, Map] = MappingProxyType(
-    {entry.name: entry for family in (so3, se3, scale, shear, sym3, polar, affine_lie, sam) for entry in family.MAPS}
+    {
+        entry.name: entry
+        for family in (so3, se3, scale, shear, sym3, polar, affine_lie, sam, kaji_ochiai)
+        for entry in family.MAPS
+    }
 )
 """Every map by its name, in the order in which everything shows them."""
 
