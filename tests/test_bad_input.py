@@ -39,6 +39,8 @@ POINTS = np.arange(14.0).reshape(7, 2) % 5
 KEYS = np.stack([space(IDENTITY), space(2 * TURN), space(TURN @ TURN)])
 STEADY = plane([[1, 1], [0, 2]])
 SPIRAL = plane([[0, -1], [1, 1]])
+AFFINES = np.stack([np.eye(4), SPACE, space(STRETCH)])
+PARAMETERS = np.arange(12.0) / 4 - 1
 
 GOOD: dict[str, tuple[Array, ...]] = {
     "so3.exp": (np.array([1.0, -2, 0.5]),),
@@ -89,6 +91,12 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "curves.patch": (IDENTITY, PLANE, STEADY, IDENTITY, HALF, HALF),
     "curves.regular_pattern": (PLANE, STEADY),
     "curves.grazing_parameter": (SPIRAL, np.array([1.0, 2.0]), np.array([1.0, 0.0]), np.array([0.0, 1.0])),
+    "kaji_ochiai.parametrise": (SPACE,),
+    "kaji_ochiai.parametrise_near": (SPACE, PARAMETERS),
+    "kaji_ochiai.realise": (PARAMETERS,),
+    "kaji_ochiai.blend": (AFFINES, np.array([0.5, 0.25, 0.25])),
+    "kaji_ochiai.interpolate": (AFFINES, np.array([0.0, 1, 3]), HALF),
+    "kaji_ochiai.deform": (TETRAHEDRON, AFFINES, np.arange(12.0).reshape(4, 3) / 12),
 }
 """Good inputs of every map, one item each."""
 
@@ -281,6 +289,13 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("sym3.power", 0, np.diag([1.0, 0, 1]), "not positive definite"),
     ("polar.decompose", 0, mirrored(STRETCH), "determinant is not positive"),
     ("polar.decompose", 0, np.ones((3, 3)), "determinant is not positive"),
+    ("kaji_ochiai.interpolate", 1, np.array([0.0, 0, 3]), "not strictly increasing"),
+    ("kaji_ochiai.interpolate", 1, np.array([0.0, 2, 1]), "not strictly increasing"),
+    ("kaji_ochiai.parametrise", 0, last_row(SPACE), "last row"),
+    ("kaji_ochiai.parametrise_near", 0, mirrored(SPACE), "determinant"),
+    ("kaji_ochiai.blend", 0, np.stack([SPACE, last_row(SPACE), SPACE]), "last row"),
+    ("kaji_ochiai.interpolate", 0, np.stack([SPACE, SPACE, singular(SPACE)]), "determinant"),
+    ("kaji_ochiai.deform", 1, np.stack([SPACE, mirrored(SPACE), SPACE]), "determinant"),
     *((name, 0, singular(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, mirrored(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, last_row(SPACE), "last row") for name in ("affine_lie.decompose", "affine_lie.interpolate")),

@@ -162,6 +162,11 @@ def principal_always(maps: Maps) -> Function:
     return lambda pose, previous: maps["sim3.log"](pose)
 
 
+def principal(maps: Maps) -> Function:
+    """The principal parameters, whatever is near."""
+    return lambda affine, near: maps["kaji_ochiai.parametrise"](affine)
+
+
 def always(maps: Maps) -> Function:
     return lambda matrix: np.array(1.0)
 
@@ -261,6 +266,12 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "splicing.one_segment": ("splines.smooth_motion", in_time("splines.smooth_motion", lambda t: t + 1e-9)),
     "reversibility.splines.evaluate": ("splines.evaluate", in_time("splines.evaluate", np.square)),
     "equivariance.splines.motion": ("splines.motion", nudged("splines.motion", (0, -1), 1e-3)),
+    "parametrisation.realise": ("kaji_ochiai.parametrise", nudged("kaji_ochiai.parametrise", 3, 1e-3)),
+    "parametrisation.parametrise_near": ("kaji_ochiai.parametrise_near", principal),
+    "subclasses.parametrise": ("kaji_ochiai.parametrise", nudged("kaji_ochiai.parametrise", 7, 1e-9)),
+    "subclasses.realise": ("kaji_ochiai.realise", nudged("kaji_ochiai.realise", (0, 1), 1e-9)),
+    "subclasses.blend": ("kaji_ochiai.blend", nudged("kaji_ochiai.blend", (0, 1), 1e-9)),
+    "subclasses.interpolate": ("kaji_ochiai.interpolate", nudged("kaji_ochiai.interpolate", (0, 1), 1e-9)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
 }
 """For each law a map that it needs, and how it is broken."""

@@ -14,10 +14,12 @@ from affinecert.properties.laws import (
     fixed_point,
     isometry,
     one_parameter,
+    parametrisation,
     reversibility,
     similarity,
     splicing,
     steadiness,
+    subclasses,
     volume_kept,
     volume_monotone,
 )
@@ -37,6 +39,8 @@ LAWS: tuple[Law, ...] = (
     *equivariance.LAWS,
     *endpoints.LAWS,
     *fixed_point.LAWS,
+    *parametrisation.LAWS,
     *similarity.LAWS,
     *splicing.LAWS,
+    *subclasses.LAWS,
 )
