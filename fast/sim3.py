@@ -3,6 +3,9 @@
 A tangent is (omega, v, lambda), the rotation vector first; it stands for the matrix [[Gamma, v], [0, 0]], Gamma =
 lambda I + [omega], [omega] the matrix of the vector product with omega.
 
+Scaled errors are below 3 u on all that the regimes and the hunt have tried. Where the condition is below 10, forward
+errors reach 5 u for exp, 7 u for log, 9 u for log_next, 14 u for log_near and 4 u for condition.
+
 Source: Gallier, Allen-Blanchette, Leonardos, "Motion interpolation in SIM(3)", sections 2 to 5.
 """
 
@@ -154,20 +157,21 @@ def _condition(tangent: Array, ratio: Array, _status: Array) -> None:
     omega = math.ldexp(x, -exponent), math.ldexp(y, -exponent), math.ldexp(z, -exponent)
     length, length_low = square_root(*dot(omega, omega)) if largest > 0.0 else (0.0, 0.0)
     half, low = math.ldexp(length, exponent - 1), math.ldexp(length_low, exponent - 1)
-    angle = 2.0 * half
-    # What keeps it from being 1 is the part of the angle by which 2 sin(theta / 2) (lambda / 2) / sinh(lambda / 2) is
-    # shorter.
+    angle, square = 2.0 * half, 0.25 * growth * growth
+    # The quotient of sinh(lambda / 2) and lambda / 2, less 1.
+    rise = square * remainder(PHI, 0.0, -square, 0.0)[2] if growth < 2.0 else 0.0
     if half < 1.0 and growth < 2.0:
+        # What keeps the ratio from being 1: the part of the angle by which 2 sin(theta / 2) over that quotient is less.
         shorter = half * half * remainder(PHI, 0.0, half * half, 0.0)[2]
-        square = 0.25 * growth * growth
-        rise = square * remainder(PHI, 0.0, -square, 0.0)[2]
         shorter += rise / (1.0 + rise) * (1.0 - shorter)
         size = math.hypot(growth, angle * (1.0 - shorter))
         share = angle / size if size > 0.0 else 0.0
         ratio[0] = math.sqrt(1.0 + share * share * shorter * (2.0 - shorter))
         return
     chord = 2.0 * (fma(low, math.cos(half), math.sin(half)) if half < LARGE_ANGLE else math.sin(half))
-    if growth > 0.0:
+    if growth < 2.0:
+        chord /= 1.0 + rise
+    else:
         chord *= math.exp(-0.5 * growth) * growth / -math.expm1(-growth)
     ratio[0] = math.hypot(growth, angle) / math.hypot(growth, chord)
 
