@@ -52,6 +52,7 @@ def told_by(catches: Iterable[Catch]) -> list[tuple[object, ...]]:
         ("so3.log", "near-pi", TOTAL),  # the antisymmetric part
         ("se3.exp", "near-identity", 1e-9),  # the coefficient of Omega in V is lost at 1e-8, half of it reaches V v
         ("se3.exp", "*", TOTAL),  # theta^3 underflows
+        ("sim3.exp", "both-near-zero", 0.1),  # (e^lambda - 1) / lambda, over theta^2 and once more
         ("shear.exp", "*", TOTAL),
         ("shear.log", "*", 0.1),
         ("sam.log", "double-eigenvalue-*", TOTAL),  # forgotten by algorithm 1

@@ -192,7 +192,7 @@ MAPS = (
     ),
     Map(
         name="sim3.log",
-        definition="the tangent (omega, v, lambda) with exp(omega, v, lambda) = A, omega principal",
+        definition="(omega, v, lambda) with exp(omega, v, lambda) = A, omega principal, lambda = log(det A) / 3",
         source="gallier, sections 3 and 4, Theorem 3.2",
         domain="linear part a multiple of a rotation within 1e-6 of it, the nearest one counts; last row 0 0 0 1",
         arguments=(POSE,),
