@@ -16,8 +16,9 @@ from affinecert.fast import _elementary
 from affinecert.fast import _wide as wide
 from affinecert.fast._kernel import Array
 from affinecert.fast._rotation import ORTHOGONALITY
-from affinecert.fast._stages import refuse
+from affinecert.fast._stages import require
 from affinecert.fast._wide_rotation import TWO_PI, orthogonalised, rotation, rotation_vector
+from affinecert.fast.sim3 import LAST_ROW, NOT_POSITIVE, NOT_SIMILAR
 
 Complex = tuple[Array, Array]
 """Real and imaginary parts."""
@@ -32,10 +33,6 @@ LOG_2 = np.array([_elementary.LOG_2.real, _elementary.LOG_2.imag])
 # Below it the series of phi, cut after z^6, errs by less than 2^-140 of phi; above it e^z - 1 loses 20 bits at most.
 SMALL = 2.0**-20
 COEFFICIENTS = tuple(wide.divide(ONE, wide.widen(np.array(float(math.factorial(k + 1))))) for k in range(7))
-
-LAST_ROW = "last row is not (0, 0, 0, 1)"
-NOT_POSITIVE = "not a similarity: the determinant is not positive"
-NOT_SIMILAR = "not a similarity: |L^T L - I| is above 1e-6 (Frobenius norm), for L of determinant 1"
 
 
 def dot(x: Array, y: Array) -> Array:
@@ -66,6 +63,10 @@ def _complex_product(x: Complex, y: Complex) -> Complex:
     return real, wide.add(wide.multiply(x[0], y[1]), wide.multiply(x[1], y[0]))
 
 
+def _by_i(x: Complex) -> Complex:
+    return -x[1], x[0]
+
+
 def _complex_inverse(x: Complex) -> Complex:
     square = wide.add(wide.multiply(x[0], x[0]), wide.multiply(x[1], x[1]))
     return wide.divide(x[0], square), wide.divide(-x[1], square)
@@ -77,12 +78,18 @@ def _phi(growth: Array, angle: Array) -> Complex:
     scale, (sine, cosine) = wide.exponential(growth), wide.sine_cosine(angle)
     grown = wide.subtract(wide.multiply(scale, cosine), ONE), wide.multiply(scale, sine)
     real, imaginary = _complex_product(grown, _complex_inverse(z))
-    series = np.broadcast_to(COEFFICIENTS[-1], real.shape), np.zeros_like(real)
-    for coefficient in reversed(COEFFICIENTS[:-1]):
-        series = _complex_product(series, z)
-        series = wide.add(series[0], coefficient), series[1]
-    small = (np.hypot(growth[..., 0], angle[..., 0]) < SMALL)[..., None]
-    return np.where(small, series[0], real), np.where(small, series[1], imaginary)
+    small = np.hypot(growth[..., 0], angle[..., 0]) < SMALL
+    if small.any():
+        real[small], imaginary[small] = _phi_series((growth[small], angle[small]))
+    return real, imaginary
+
+
+def _phi_series(z: Complex) -> Complex:
+    series = wide.add(wide.multiply(z[0], COEFFICIENTS[-1]), COEFFICIENTS[-2]), wide.multiply(z[1], COEFFICIENTS[-1])
+    for coefficient in reversed(COEFFICIENTS[:-2]):
+        product = _complex_product(series, z)
+        series = wide.add(product[0], coefficient), product[1]
+    return series
 
 
 def axis_angle(omega: Array) -> tuple[Array, Array]:
@@ -116,15 +123,17 @@ def logarithms(argument: str, poses: Array) -> Array:
     3 lambda is the logarithm of the determinant, omega the rotation vector of the nearest rotation. Raises InputError
     for the first item (...) with a pose that is no similarity.
     """
-    _require(argument, (poses[..., 3, :] == np.array([0.0, 0.0, 0.0, 1.0])).all(axis=-1), LAST_ROW)
+    last_row = (poses[..., 3, :] == np.array([0.0, 0.0, 0.0, 1.0])).all(axis=(-2, -1))
+    require(argument, np.asarray(last_row), LAST_ROW)
     exponent = np.frexp(np.abs(poses[..., :3, :3]).max(axis=(-2, -1)))[1]
     linear = wide.widen(np.ldexp(poses[..., :3, :3], -exponent[..., None, None]))
     volume = dot(linear[..., 0, :, :], cross(linear[..., 1, :, :], linear[..., 2, :, :]))
-    _require(argument, volume[..., 0] > 0.0, NOT_POSITIVE)
+    require(argument, np.asarray((volume[..., 0] > 0.0).all(axis=-1)), NOT_POSITIVE)
     third = wide.divide(wide.logarithm(volume), THREE)
     turned = wide.divide(linear, wide.exponential(third)[..., None, None, :])
     defect = wide.product(wide.transposed(turned), turned)[..., 0] - np.eye(3)
-    _require(argument, (defect * defect).sum(axis=(-2, -1)) <= ORTHOGONALITY**2, NOT_SIMILAR)
+    similar = (defect * defect).sum(axis=(-2, -1)) <= ORTHOGONALITY**2
+    require(argument, np.asarray(similar.all(axis=-1)), NOT_SIMILAR)
     omega = rotation_vector(orthogonalised(turned))
     growth = wide.add(third, wide.times(LOG_2, exponent.astype(np.float64)))
     still = np.concatenate([omega, wide.widen(poses[..., :3, 3]), growth[..., None, :]], axis=-2)
@@ -132,12 +141,6 @@ def logarithms(argument: str, poses: Array) -> Array:
     along, _ = _complex_inverse(_phi(growth, np.zeros_like(growth)))
     still[..., 3:6, :] = _moved(still, along, _complex_inverse(_phi(growth, angle)))
     return still
-
-
-def _require(argument: str, good: Array, reason: str) -> None:
-    """Raises InputError for the first item with a key (..., keys) that is not good."""
-    items = good.all(axis=-1)
-    refuse(items, False, argument, reason, items.shape)
 
 
 def _products(f: Jet, g: Jet, multiply: Callable[[Array, Array], Array] = wide.multiply) -> list[Array]:
@@ -165,13 +168,10 @@ def turned_back_curve(tangents: Jet) -> list[Array]:
     n, angle = _polar(omega)
     w = _complex_inverse((angle[0], -growth[0]))
     square, rate = _complex_product(w, w), (growth[1], angle[1])
-    first = _complex_product(square, rate)
-    first = -first[1], first[0]
-    second = _complex_product(_complex_product(w, first), rate)
-    second = tuple(
-        wide.add(2.0 * x, y) for x, y in zip(second, _complex_product(square, (growth[2], angle[2])), strict=True)
-    )
-    second = -second[1], second[0]
+    first = _by_i(_complex_product(square, rate))
+    bend = _complex_product(square, (growth[2], angle[2]))
+    twice = _complex_product(_complex_product(w, first), rate)
+    second = _by_i((wide.add(2.0 * twice[0], bend[0]), wide.add(2.0 * twice[1], bend[1])))
     real, imaginary = zip(w, first, second, strict=True)
     part = _products(_products(n, v, dot), n, multiple)
     across = [wide.subtract(x, y) for x, y in zip(v, part, strict=True)]
