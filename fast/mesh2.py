@@ -41,7 +41,7 @@ from affinecert.fast._homotopy import ONE, complex_product, conjugate, squared
 from affinecert.fast._kernel import Array, Shape, as_float64, checked
 from affinecert.fast._mesh_constraints import Barycentre, Constraint, Edge, Held, Locus, Term, read
 from affinecert.fast._mesh_errors import GROWTHS, Errors, Goal, Homotopies, homotopies
-from affinecert.fast._sparse import Pattern, factored, pattern, refined, total
+from affinecert.fast._sparse import Pattern, factored, pattern, refined, total, without_threads_of_blas
 from affinecert.fast._triangulation import Indices, indices, twice_areas
 from affinecert.fast._wide import add, divide, multiply, rounded, subtract, times, widen
 
@@ -269,13 +269,15 @@ def _interpolated(
 ) -> Array:
     """The shapes at times (count,), (count, vertices, 2)."""
     problem, exponent = _problem(source, target, indices(triangles, len(source)), options, hold)
-    prepared = problem.prepare()
     numbered = range(len(times_)), times_.tolist()
-    if workers > 1:
-        with ThreadPoolExecutor(workers) as pool:
-            frames = list(pool.map(partial(problem.at, solve=prepared), *numbered))
-    else:
-        frames = list(map(partial(problem.at, solve=prepared), *numbered))
+    with without_threads_of_blas():
+        prepared = problem.prepare()
+        at = partial(problem.at, solve=prepared)
+        if workers > 1:
+            with ThreadPoolExecutor(workers) as pool:
+                frames = list(pool.map(at, *numbered))
+        else:
+            frames = list(map(at, *numbered))
     return np.ldexp(np.reshape(frames, (-1, len(source), 2)), exponent)
 
 
