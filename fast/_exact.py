@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+import numpy as np
+
 from affinecert.fast._kernel import Array
 
 Integers = Sequence[Sequence[int]]
@@ -15,6 +17,14 @@ def integers(matrix: Array) -> Integers:
     ratios = [[float(x).as_integer_ratio() for x in row] for row in matrix]
     unit = max(denominator for row in ratios for _, denominator in row)
     return [[numerator * (unit // denominator) for numerator, denominator in row] for row in ratios]
+
+
+def integers_of_sum(high: Array, low: Array) -> Integers:
+    """The sum of two matrices times the least power of two that makes them integer."""
+    rows = integers(np.concatenate([high, low]))
+    return [
+        [x + y for x, y in zip(*both, strict=True)] for both in zip(rows[: len(high)], rows[len(high) :], strict=True)
+    ]
 
 
 def cofactor(a: Integers, i: int, j: int) -> int:
@@ -53,6 +63,21 @@ def definiteness(matrix: Array) -> float:
     ]
     minors = [twice[0][0], *(determinant([row[:k] for row in twice[:k]]) for k in range(2, len(n) + 1))]
     return 1.0 if min(minors) > 0 else -1.0
+
+
+def turns_by_pi(linear: Array) -> bool:
+    """Whether the rotation of the polar factors of a matrix (3, 3), which is within rounding of a half turn, is one.
+
+    Of the quaternions, (0, x) is an eigenvector of [[tr L, z^T], [z, M]], M = L + L^T - tr L I, z the vector of
+    L - L^T, if x is one of M across z: then z, M z and M^2 z lie in a plane.
+    """
+    n = integers(linear)
+    z = [[n[2][1] - n[1][2]], [n[0][2] - n[2][0]], [n[1][0] - n[0][1]]]
+    trace = n[0][0] + n[1][1] + n[2][2]
+    m = [[n[i][j] + n[j][i] - trace * (i == j) for j in range(3)] for i in range(3)]
+    once = product(m, z)
+    columns = zip(z, once, product(m, once), strict=True)
+    return determinant([[x, y, w] for (x,), (y,), (w,) in columns]) == 0
 
 
 def orientation_of_vertices(vertices: Array) -> float:

@@ -62,12 +62,16 @@ def log_near(ctx: Context, rotation: Array, near: Array) -> Array:
     _domain.finite(ctx, "rotation", rotation)
     _domain.finite(ctx, "near", near)
     with ctx.extraprec(2 * span(rotation, near) + 16):
-        axis, angle = axis_angle(ctx, project(ctx, "rotation", rotation))
-        if angle == 0:
-            length = norm(ctx, near)
-            axis = near / length if length else axis
-        omega: Array = axis * _nearest_angle(ctx, angle, dot(ctx, axis, near))
-        return omega
+        return vector_near(ctx, *axis_angle(ctx, project(ctx, "rotation", rotation)), near)
+
+
+def vector_near(ctx: Context, axis: Array, angle: Number, near: Array) -> Array:
+    """Of the vectors (angle + 2 pi k) axis the one nearest to ``near``, as in `log_near`."""
+    if angle == 0:
+        length = norm(ctx, near)
+        axis = near / length if length else axis
+    omega: Array = axis * _nearest_angle(ctx, angle, dot(ctx, axis, near))
+    return omega
 
 
 def continue_log(ctx: Context, base: Array, rotation: Array) -> Array:

@@ -6,6 +6,7 @@ A map is R S, a rotation after a stretch, of the plane or of space.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -100,29 +101,49 @@ def _outside(draw: Draw, size: int) -> Linear:
     return oblique(draw, flat), 0.0
 
 
-def _regime(name: str, distance: str, build: Callable[[Draw, int], Linear], size: int, share: float = 1.0) -> Regime:
-    def point(draw: Draw) -> Point:
-        linear, gap = build(draw, size)
-        return Point((linear,), gap)
+@dataclass(frozen=True)
+class StretchedTurns:
+    """What a regime draws its linear maps from, given the dimension, 2 or 3."""
 
-    return Regime(f"{name}-{size}d", point, distance, share)
+    name: str
+    distance: str
+    build: Callable[[Draw, int], Linear]
 
+    def regime(self, size: int, share: float = 1.0) -> Regime:
+        """The regime of a map of one such matrix."""
+
+        def build(draw: Draw) -> Point:
+            linear, distance = self.build(draw, size)
+            return Point((linear,), distance)
+
+        return Regime(f"{self.name}-{size}d", build, self.distance, share)
+
+
+GENERIC = StretchedTurns("generic", "ratio of the extreme singular values", _generic)
+NEAR_ROTATION = StretchedTurns("near-rotation", "distance from a rotation", _near_rotation)
+ROTATION = StretchedTurns("rotation", "distance from a rotation", _rotation)
+NEARLY_SINGULAR = StretchedTurns("nearly-singular", "smallest singular value", _nearly_singular)
+NEARLY_RANK_ONE = StretchedTurns("nearly-rank-one", "sum of the smallest singular values", _nearly_rank_one)
+MEETING = StretchedTurns("meeting", "half the gap of two singular values", _meeting)
+LAST_BITS = StretchedTurns("last-bits", "determinant over the power of the norm", _last_bits)
+HUGE_OR_TINY = StretchedTurns("huge-or-tiny", "scale", _huge_or_tiny)
+DIAGONAL = StretchedTurns("diagonal", "ratio of the extreme singular values", _diagonal)
+OUTSIDE = StretchedTurns("outside", "distance from singular", _outside)
+
+OF_EVERY_SIZE = (
+    GENERIC,
+    NEAR_ROTATION,
+    ROTATION,
+    NEARLY_SINGULAR,
+    MEETING,
+    LAST_BITS,
+    HUGE_OR_TINY,
+    DIAGONAL,
+    OUTSIDE,
+)
 
 REGIMES = (
-    *(
-        _regime(name, distance, build, size, share)
-        for size, share in ((3, 1.0), (2, 0.5))
-        for name, distance, build in (
-            ("generic", "ratio of the extreme singular values", _generic),
-            ("near-rotation", "distance from a rotation", _near_rotation),
-            ("rotation", "distance from a rotation", _rotation),
-            ("nearly-singular", "smallest singular value", _nearly_singular),
-            ("meeting", "half the gap of two singular values", _meeting),
-            ("last-bits", "determinant over the power of the norm", _last_bits),
-            ("huge-or-tiny", "scale", _huge_or_tiny),
-            ("diagonal", "ratio of the extreme singular values", _diagonal),
-            ("outside", "distance from singular", _outside),
-        )
-    ),
-    _regime("nearly-rank-one", "sum of the smallest singular values", _nearly_rank_one, 3),
+    *(kind.regime(3) for kind in (*OF_EVERY_SIZE, NEARLY_RANK_ONE)),
+    *(kind.regime(2, share=0.5) for kind in OF_EVERY_SIZE),
 )
+"""What the polar decomposition is tried on."""

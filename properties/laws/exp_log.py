@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
@@ -9,7 +10,7 @@ from hypothesis import strategies as st
 
 from affinecert.map import Array
 from affinecert.properties import strategies
-from affinecert.properties.answer import Answer, near_rigid, near_rotation
+from affinecert.properties.answer import Answer, near_rigid, near_rotation, near_symmetric
 from affinecert.properties.answers import Maps, ask
 from affinecert.properties.inexact import CTX, UNDECIDED, exact, norm, precisely
 from affinecert.properties.law import Law, OutOfDomain
@@ -28,7 +29,17 @@ def _log_of_exp(family: str, maps: Maps, element: Array) -> float:
     if family in {"so3", "se3"}:
         _inside_the_cut(element[:3], whole)
     back = ask(maps, f"{family}.log", whole)
+    if family == "sym3":
+        return _blocks(back, near_symmetric(element, "logarithm"))
     return _blocks(back, _exactly(element, back))
+
+
+GIVEN: Mapping[str, Callable[[Array], Answer]] = {
+    "so3": near_rotation,
+    "se3": near_rigid,
+    "sym3": partial(near_symmetric, name="exponential"),
+}
+"""What an element stands for where it is not itself: the nearest one of the group."""
 
 
 def _inside_the_cut(omega: Array, rotation: Answer) -> None:
@@ -39,7 +50,7 @@ def _inside_the_cut(omega: Array, rotation: Answer) -> None:
 
 def _exp_of_log(family: str, maps: Maps, element: Array) -> float:
     back = ask(maps, f"{family}.exp", ask(maps, f"{family}.log", element))
-    known = {"so3": near_rotation, "se3": near_rigid}.get(family, partial(_exactly, like=back))
+    known = GIVEN.get(family, partial(_exactly, like=back))
     return _blocks(back, known(element))
 
 
@@ -101,6 +112,12 @@ LAWS = (
     *_pair("se3", "bansal_tatu, A.2.1 and A.2.2", BELOW_PI, "every rigid motion, angle pi too"),
     *_pair("shear", "bansal_tatu, A.2.3 and A.2.4", "every element of the algebra", "every element of G_A"),
     *_pair("scale", "bansal_tatu, A.2.5", "every number", "every positive number"),
+    *_pair(
+        "sym3",
+        "kaji_ochiai, equations 6 and 7",
+        "every symmetric matrix whose exponential is positive definite once rounded",
+        "every symmetric positive definite matrix",
+    ),
     Law(
         name="exp_log.sam.log",
         statement="log(A^t) = t log A",
