@@ -45,9 +45,14 @@ class Pattern:
     given: Indices
 
     def matrix(self, summands: NDArray[Any]) -> Any:
-        """The matrix of the summands at the places, with rows and columns of the identity for what is given."""
+        """The matrix of the summands at the places, with rows and columns of the identity for what is given.
+
+        It is raised on the diagonal by so little that only a matrix that is nearly singular is changed.
+        """
         size = len(self.rows)
-        entries = np.bincount(self.places, summands.real, size) + 1j * np.bincount(self.places, summands.imag, size)
+        entries: NDArray[Any] = np.bincount(self.places, summands.real, size)
+        if np.iscomplexobj(summands):
+            entries = entries + 1j * np.bincount(self.places, summands.imag, size)
         entries[self.diagonal] *= RAISED
         entries[~self.kept] = 0.0
         entries[self.given] = 1.0

@@ -23,9 +23,7 @@ from affinecert.reference import _domain, homotopy2
 from affinecert.reference._exact import determinant_sign
 from affinecert.reference._least_squares import Square, minimiser
 from affinecert.reference._matrices import Array, Context, Number, array, scalar
-
-
-Triple = tuple[int, int, int]
+from affinecert.reference._triangulation import Triple, triples
 
 
 @dataclass(frozen=True)
@@ -132,7 +130,7 @@ def _faces(ctx: Context, source: Array, target: Array, triangles: Array, t: Arra
         _domain.finite(ctx, name, argument)
     return [
         _face(ctx, ctx.prec, triple, tuple(source[[*triple]].flat), tuple(target[[*triple]].flat), t[()])
-        for triple in _triples(triangles, len(source))
+        for triple in triples(triangles, len(source))
     ]
 
 
@@ -154,20 +152,6 @@ def _face(
     inverse = array([[d, -b], [-c, a]]) / double
     corners = source - sum(source) / 3
     return Face(vertices, inverse, corners, abs(double) / 2, homotopy2.exponential(ctx, goals @ inverse, scalar(t)))
-
-
-def _triples(triangles: Array, count: int) -> list[Triple]:
-    """The triangles as indices; refuses what is no mesh of one piece."""
-    triples = [(int(i), int(j), int(k)) for i, j, k in triangles]
-    if any(int(x) != x or not 0 <= x < count for x in triangles.flat) or any(len({*each}) < 3 for each in triples):
-        raise InputError("triangles", "not triples of different vertices")
-    reached, before = {0}, -1
-    while len(reached) > before:
-        before = len(reached)
-        reached |= {i for each in triples if reached & {*each} for i in each}
-    if len(reached) < count:
-        raise InputError("triangles", "not one piece with all vertices")
-    return triples
 
 
 def _first(source: Array, target: Array, t: Array) -> Locus:

@@ -76,6 +76,7 @@ def test_the_catalogue_has_its_maps_in_order() -> None:
         "kaji_ochiai",
         "homotopy2",
         "mesh2",
+        "mesh3",
     ]
     assert all(name == entry.name for name, entry in CATALOGUE.items())
 

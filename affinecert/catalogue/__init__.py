@@ -6,14 +6,27 @@ from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
-from affinecert.catalogue import affine_lie, homotopy2, kaji_ochiai, mesh2, polar, sam, scale, se3, shear, so3, sym3
+from affinecert.catalogue import (
+    affine_lie,
+    homotopy2,
+    kaji_ochiai,
+    mesh2,
+    mesh3,
+    polar,
+    sam,
+    scale,
+    se3,
+    shear,
+    so3,
+    sym3,
+)
 from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 
 CATALOGUE: Mapping[str, Map] = MappingProxyType(
     {
         entry.name: entry
-        for family in (so3, se3, scale, shear, sym3, polar, affine_lie, sam, kaji_ochiai, homotopy2, mesh2)
+        for family in (so3, se3, scale, shear, sym3, polar, affine_lie, sam, kaji_ochiai, homotopy2, mesh2, mesh3)
         for entry in family.MAPS
     }
 )
