@@ -41,9 +41,9 @@ class Shapes:
 
 
 def about_a_vertex(spokes: int, draw: Draw) -> Array:
-    """A vertex and that many about it, counterclockwise."""
+    """A vertex and that many about it, counterclockwise; no height of a triangle is below 0.1."""
     step = 2 * math.pi / spokes
-    angles = [step * (k + draw.uniform(-0.2, 0.2)) for k in range(spokes)]
+    angles = [step * (k + draw.uniform(-0.1, 0.1)) for k in range(spokes)]
     ends = [draw.uniform(0.7, 1.4) * np.array([math.cos(angle), math.sin(angle)]) for angle in angles]
     return np.array([0.1 * draw.direction(2), *ends])
 
@@ -84,21 +84,21 @@ def turned(shape: Array, angle: float) -> Array:
 
 def _generic(triangles: Triangles, draw: Draw) -> Shapes:
     source, target = (SHAPES[triangles](draw) for _ in range(2))
-    # The triangles turn by less than 1.5 of their own: the strip's by 1.1, the fan's by 0.7 at most.
+    # Of their own the triangles turn by less than 1.6.
     angle = draw.uniform(-1.5, 1.5)
     return Shapes(source, draw.uniform(0.5, 2) * turned(target, angle), triangles, math.pi - abs(angle))
 
 
 def _near_identity(draw: Draw) -> Shapes:
-    source, gap = SHAPES[FAN](draw), draw.exponent(-16, -1)
+    source, gap = SHAPES[FAN](draw), draw.exponent(-16, -1.5)
     return Shapes(source, source + gap * draw.direction(8).reshape(4, 2), FAN, gap)
 
 
 def _large_rotation(draw: Draw) -> Shapes:
     """All triangles turned by nearly pi, to one side of it."""
     source, gap = SHAPES[FAN](draw), signed(draw, -8, 0)
-    target = source + abs(gap) / 20 * draw.direction(8).reshape(4, 2)
-    # By a quarter of the gap at most each triangle turns otherwise: its edges are longer than 0.2.
+    # With heights above 0.1, an edge moved by 0.02 of the gap turns a triangle by a fifth of it at most.
+    target = source + abs(gap) / 100 * draw.direction(8).reshape(4, 2)
     return Shapes(source, -turned(target, -gap), FAN, abs(gap))
 
 
@@ -136,7 +136,7 @@ def _outside(draw: Draw) -> Shapes:
     return replace(shapes, **{kind: flat})
 
 
-def _regime(name: str, build: Callable[[Draw], Shapes], distance: str, share: float = 0.25) -> Regime:
+def _regime(name: str, build: Callable[[Draw], Shapes], distance: str, share: float = 0.2) -> Regime:
     def point(draw: Draw) -> Point:
         shapes = relabelled(draw, build(draw))
         return Point((shapes.source, shapes.target, np.array(shapes.triangles, dtype=np.float64)), shapes.distance)
@@ -158,10 +158,10 @@ REGIMES = (
             _regime("thin", _thin, "ratio of height and length"),
             _regime("tiny-next-to-huge", _far, "distance from the origin"),
             _regime("huge-or-tiny", _huge_or_tiny, "scale"),
-            _regime("outside", _outside, "none", share=0.25),
+            _regime("outside", _outside, "none"),
         )
     ),
-    *(replace(regime, share=0.25) for regime in about_time(GENERIC)),
+    *(replace(regime, share=0.2) for regime in about_time(GENERIC)),
 )
 """Source, target, triangles and t."""
 

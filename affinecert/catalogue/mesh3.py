@@ -116,7 +116,7 @@ def _regime(
     build: Callable[[Draw], Shapes],
     distance: str,
     weights: Callable[[Draw], list[float]] = _between,
-    share: float = 0.15,
+    share: float = 0.12,
 ) -> Regime:
     def point(draw: Draw) -> Point:
         shapes = build(draw)
