@@ -65,19 +65,32 @@ def definiteness(matrix: Array) -> float:
     return 1.0 if min(minors) > 0 else -1.0
 
 
-def turns_by_pi(linear: Array) -> bool:
-    """Whether the rotation of the polar factors of a matrix (3, 3), which is within rounding of a half turn, is one.
+def turns_by_pi(linear: Array, axis: Array) -> bool:
+    """Whether the rotation of the polar factors of a matrix (3, 3) is by pi; its axis, if it is, is known roughly.
 
-    Of the quaternions, (0, x) is an eigenvector of [[tr L, z^T], [z, M]], M = L + L^T - tr L I, z the vector of
-    L - L^T, if x is one of M across z: then z, M z and M^2 z lie in a plane.
+    The quaternion is an eigenvector of [[tr L, z^T], [z, M]], z the vector of L - L^T, M = L + L^T - tr L I. It is
+    (0, x) if x is an eigenvector of M across z: then z, M z and M^2 z lie in a plane, x is normal to it if that is all
+    they span, and across z if M z is along z.
     """
     n = integers(linear)
-    z = [[n[2][1] - n[1][2]], [n[0][2] - n[2][0]], [n[1][0] - n[0][1]]]
+    z = [n[2][1] - n[1][2], n[0][2] - n[2][0], n[1][0] - n[0][1]]
+    if not any(z):
+        return True
     trace = n[0][0] + n[1][1] + n[2][2]
     m = [[n[i][j] + n[j][i] - trace * (i == j) for j in range(3)] for i in range(3)]
-    once = product(m, z)
-    columns = zip(z, once, product(m, once), strict=True)
-    return determinant([[x, y, w] for (x,), (y,), (w,) in columns]) == 0
+    once = [sum(x * y for x, y in zip(row, z, strict=True)) for row in m]
+    twice = [sum(x * y for x, y in zip(row, once, strict=True)) for row in m]
+    normal = [z[i - 2] * once[i - 1] - z[i - 1] * once[i - 2] for i in range(3)]
+    if sum(x * y for x, y in zip(normal, twice, strict=True)):
+        return False
+    return _cosine(normal, axis) > 0.5 if any(normal) else _cosine(z, axis) < 0.5
+
+
+def _cosine(x: Sequence[int], y: Array) -> float:
+    """The cosine of the angle between two lines."""
+    largest = max(map(abs, x))
+    unit = np.array([entry / largest for entry in x])
+    return float(abs(unit @ y) / np.sqrt((unit @ unit) * (y @ y)))
 
 
 def orientation_of_vertices(vertices: Array) -> float:

@@ -136,11 +136,11 @@ def _factors(name: str, affine: Array, things: int = 0) -> _Factors:
     """The polar factors of affine maps, of which so many axes number the things of one item; refuses others."""
     batch = affine.shape[: affine.ndim - 2 - things]
     inner = tuple(range(len(batch), len(batch) + things))
-    last_rows = (affine[..., 3, :] == np.eye(4)[3]).all(axis=(-1, *inner))
+    last_rows = np.asarray((affine[..., 3, :] == np.eye(4)[3]).all(axis=(-1, *inner)))
     refuse(last_rows.astype(np.float64), 0.0, name, LAST_ROW, batch)
     pairs = wide.widen(affine)
     linear = wide.linear_part(pairs)
-    oriented = (wide.determinant_sign(linear) > 0.0).all(axis=inner)
+    oriented = np.asarray((wide.determinant_sign(linear) > 0.0).all(axis=inner))
     refuse(oriented.astype(np.float64), 0.0, name, DETERMINANT, batch)
     turn, stretch = polar(linear)
     _settle_half_turns(affine, turn)
@@ -149,10 +149,13 @@ def _factors(name: str, affine: Array, things: int = 0) -> _Factors:
 
 def _settle_half_turns(affine: Array, turn: Array) -> None:
     """Makes rotations by pi exactly symmetric, decided in integers where an ill-conditioned matrix leaves it open."""
-    skew = np.abs(turn[..., 0] - np.swapaxes(turn[..., 0], -1, -2)).max(axis=(-2, -1))
-    halves = (skew <= NEARLY_SYMMETRIC) & (np.trace(turn[..., 0], axis1=-2, axis2=-1) < 0.0)
+    rough = turn[..., 0]
+    skew = np.abs(rough - np.swapaxes(rough, -1, -2)).max(axis=(-2, -1))
+    halves = (skew <= NEARLY_SYMMETRIC) & (np.trace(rough, axis1=-2, axis2=-1) < 0.0)
     for index in map(tuple, np.argwhere(halves)):
-        if turns_by_pi(affine[(*index, slice(3), slice(3))]):
+        # R + I is 2 x x^T, x the axis: any of its columns will do that is not small.
+        column = int(np.argmax(np.diagonal(rough[index])))
+        if turns_by_pi(affine[index][:3, :3], rough[index][:, column] + np.eye(3)[column]):
             turn[index] = 0.5 * wide.add(turn[index], wide.transposed(turn[index]))
 
 

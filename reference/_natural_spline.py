@@ -17,8 +17,8 @@ def require_knots(knots: Array) -> None:
         raise InputError("knots", "not strictly increasing")
 
 
-def natural_spline(knots: Array, values: Sequence[Array], t: Number) -> Array:
-    """The natural cubic spline of those values, arrays, at the knots; outside of them the cubic of the nearest span.
+def natural_spline(knots: Array, values: Array, t: Number) -> Array:
+    """The natural cubic spline of values (keys, dims) at the knots; outside of them the cubic of the nearest span.
 
     By its slopes m_i, for which the second derivatives on both sides of a knot agree, and vanish at the ends; on each
     span it is Hermite's cubic.
@@ -28,8 +28,9 @@ def natural_spline(knots: Array, values: Sequence[Array], t: Number) -> Array:
     i = max(0, sum(1 for knot in knots[1:-1] if knot <= t))
     h = widths[i]
     s, r = (t - knots[i]) / h, (knots[i + 1] - t) / h
-    result: Array = values[i] * (r * r * (1 + 2 * s)) + values[i + 1] * (s * s * (1 + 2 * r))
-    return result + (slopes[i] * r - slopes[i + 1] * s) * (h * s * r)
+    chord: Array = values[i] * (r * r * (1 + 2 * s)) + values[i + 1] * (s * s * (1 + 2 * r))
+    bent: Array = chord + (slopes[i] * r - slopes[i + 1] * s) * (h * s * r)
+    return bent
 
 
 def _slopes(widths: Sequence[Number], secants: Sequence[Array]) -> list[Array]:

@@ -96,7 +96,7 @@ def interpolate(ctx: Context, poses: Array, knots: Array, t: Array, near: Array 
     with ctx.extraprec(2 * span(knots, t)):
         first = _determinations(ctx, "poses", poses[0])
         chains = itertools.chain.from_iterable(_chains(ctx, [start], poses[1:]) for start in first)
-        return _nearest(ctx, near, (realise(ctx, natural_spline(knots, chain, t[()])) for chain in chains))
+        return _nearest(ctx, near, (realise(ctx, natural_spline(knots, array(chain), t[()])) for chain in chains))
 
 
 def deform(ctx: Context, points: Array, probes: Array, weights: Array, near: Array | None = None) -> Array:

@@ -148,6 +148,11 @@ def without_translation(maps: Maps) -> Function:
     return velocity
 
 
+def principal(maps: Maps) -> Function:
+    """The principal parameters, whatever is near."""
+    return lambda affine, near: maps["kaji_ochiai.parametrise"](affine)
+
+
 def always(maps: Maps) -> Function:
     return lambda matrix: np.array(1.0)
 
@@ -234,6 +239,12 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     ),
     "endpoints.sam.power": ("sam.power", in_time("sam.power", lambda t: t * (1 + 1e-12))),
     "fixed_point.sam": ("sam.fixed_point", scaled("sam.fixed_point", 1 + 1e-12)),
+    "parametrisation.realise": ("kaji_ochiai.parametrise", nudged("kaji_ochiai.parametrise", 3, 1e-3)),
+    "parametrisation.parametrise_near": ("kaji_ochiai.parametrise_near", principal),
+    "subclasses.parametrise": ("kaji_ochiai.parametrise", nudged("kaji_ochiai.parametrise", 7, 1e-9)),
+    "subclasses.realise": ("kaji_ochiai.realise", nudged("kaji_ochiai.realise", (0, 1), 1e-9)),
+    "subclasses.blend": ("kaji_ochiai.blend", nudged("kaji_ochiai.blend", (0, 1), 1e-9)),
+    "subclasses.interpolate": ("kaji_ochiai.interpolate", nudged("kaji_ochiai.interpolate", (0, 1), 1e-9)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
 }
 """For each law a map that it needs, and how it is broken."""

@@ -347,7 +347,7 @@ MAPS = (
         continuation=reference.continue_parametrise,
         inverse="kaji_ochiai.realise",
         accuracy=8.0,
-        cost=8.0,
+        cost=10.0,
     ),
     Map(
         name="kaji_ochiai.parametrise_near",
@@ -366,9 +366,8 @@ MAPS = (
         ),
         reference=reference.parametrise_near,
         continuation=reference.continue_parametrise_near,
-        inverse="kaji_ochiai.realise",
         accuracy=8.0,
-        cost=8.0,
+        cost=10.0,
     ),
     Map(
         name="kaji_ochiai.realise",
@@ -391,7 +390,7 @@ MAPS = (
         reference=reference.realise,
         inverse="kaji_ochiai.parametrise",
         accuracy=8.0,
-        cost=7.0,
+        cost=8.0,
     ),
     Map(
         name="kaji_ochiai.blend",
@@ -405,7 +404,7 @@ MAPS = (
         reference=reference.blend,
         continuation=reference.continue_blend,
         accuracy=8.0,
-        cost=32.0,
+        cost=40.0,
         remark=CONDITION,
     ),
     Map(
@@ -423,7 +422,7 @@ MAPS = (
         reference=reference.interpolate,
         continuation=reference.continue_interpolate,
         accuracy=8.0,
-        cost=40.0,
+        cost=60.0,
         remark=CONDITION,
     ),
     Map(
@@ -449,7 +448,7 @@ MAPS = (
         reference=reference.deform,
         continuation=reference.continue_deform,
         accuracy=8.0,
-        cost=45.0,
+        cost=60.0,
         remark=CONDITION,
     ),
 )

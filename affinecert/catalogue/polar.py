@@ -18,6 +18,7 @@ MAPS = (
         blocks=(Block("rotation", 0, WHOLE), Block("stretch", 1, WHOLE)),
         regimes=stretched_turns.REGIMES,
         reference=reference.decompose,
+        cost=9.0,
         remark=(
             "the condition is that of the whole matrix by its norm: the rotation's is the norm over the sum of the two "
             "smallest singular values, and only that; one of them may vanish"

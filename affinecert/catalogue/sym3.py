@@ -31,6 +31,7 @@ MAPS = (
         regimes=tuple(kind.regime() for kind in stretches.SYMMETRIC),
         reference=reference.exp,
         inverse="sym3.log",
+        cost=6.0,
         remark=GRADED,
     ),
     Map(
@@ -44,6 +45,7 @@ MAPS = (
         regimes=REGIMES,
         reference=reference.log,
         inverse="sym3.exp",
+        cost=6.0,
         remark=GRADED,
     ),
     Map(
@@ -56,6 +58,7 @@ MAPS = (
         blocks=(Block("power", 0, WHOLE),),
         regimes=(*timed(REGIMES), *about_time(REGIMES[0])),
         reference=reference.power,
+        cost=6.0,
         remark=GRADED,
     ),
 )

@@ -14,8 +14,10 @@ from affinecert.properties.laws import (
     fixed_point,
     isometry,
     one_parameter,
+    parametrisation,
     reversibility,
     steadiness,
+    subclasses,
     volume_kept,
     volume_monotone,
 )
@@ -35,4 +37,6 @@ LAWS: tuple[Law, ...] = (
     *equivariance.LAWS,
     *endpoints.LAWS,
     *fixed_point.LAWS,
+    *parametrisation.LAWS,
+    *subclasses.LAWS,
 )
