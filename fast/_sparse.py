@@ -3,23 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import SuperLU, splu
+from threadpoolctl import ThreadpoolController
 
 from affinecert.fast._kernel import Array
 from affinecert.fast._triangulation import Indices
-from affinecert.fast._wide import add, widen
+from affinecert.fast._wide import add, subtract, times, widen
 
 # The size of a step, at the rate of the step before, foretells the next one: below this part of the solution it would
 # not change the rounded result, but for a part of 2^-7 of all roundings.
 ENOUGH = 2.0**-60
-# Each step at least halves the error, or the equations count as singular: so these come from 1 to 2^-60.
+# Two to four steps are usual, twenty where equations are singular but for the last bits.
 MOST_STEPS = 60
+
+# Eight units of rounding are added to the diagonal, relative to it: factors then are positive definite, as conjugate
+# gradients need them, though rounding may have made the matrix indefinite.
+RAISED = 1.0 + 2.0**-50
 
 
 @dataclass(frozen=True)
@@ -27,19 +34,26 @@ class Pattern:
     """Where the entries of a Hermitian matrix are, in compressed columns, and where each summand goes.
 
     ``places`` are those of the entries of the triangles' 3 x 3 blocks and then of single entries; ``kept`` tells the
-    entries between vertices that are free, and ``given`` the places on the diagonal of the others.
+    entries between vertices that are free, ``diagonal`` the places on the diagonal, ``given`` those of the others.
     """
 
     columns: NDArray[np.intc]
     rows: NDArray[np.intc]
     places: Indices
     kept: NDArray[np.bool_]
+    diagonal: Indices
     given: Indices
 
     def matrix(self, summands: NDArray[Any]) -> Any:
-        """The matrix of the summands at the places, with rows and columns of the identity for what is given."""
+        """The matrix of the summands at the places, with rows and columns of the identity for what is given.
+
+        It is raised on the diagonal by so little that only a matrix that is nearly singular is changed.
+        """
         size = len(self.rows)
-        entries = np.bincount(self.places, summands.real, size) + 1j * np.bincount(self.places, summands.imag, size)
+        entries: NDArray[Any] = np.bincount(self.places, summands.real, size)
+        if np.iscomplexobj(summands):
+            entries = entries + 1j * np.bincount(self.places, summands.imag, size)
+        entries[self.diagonal] *= RAISED
         entries[~self.kept] = 0.0
         entries[self.given] = 1.0
         count = len(self.columns) - 1
@@ -65,6 +79,7 @@ def pattern(triangles: Indices, rows: Indices, columns: Indices, free: NDArray[n
         rows=row.astype(np.intc),
         places=places[: len(places) - count],
         kept=free[row] & free[column],
+        diagonal=diagonal,
         given=diagonal[~free],
     )
 
@@ -77,6 +92,20 @@ def total(x: Array) -> Array:
     return x[0]
 
 
+@cache
+def _libraries() -> ThreadpoolController:
+    """The libraries that have been loaded; it takes milliseconds to find them."""
+    return ThreadpoolController()
+
+
+def without_threads_of_blas() -> AbstractContextManager[Any]:
+    """Holds BLAS to one thread: more only get into each other's way on the narrow blocks of sparse factors.
+
+    Two threads take twice the processor time of one on two idle processors, and up to ten times on busy ones.
+    """
+    return _libraries().limit(limits=1, user_api="blas")
+
+
 def factored(matrix: Any) -> SuperLU | None:
     """The factors of a Hermitian positive definite matrix, pivots on the diagonal; None if it is singular."""
     try:
@@ -86,18 +115,26 @@ def factored(matrix: Any) -> SuperLU | None:
 
 
 def refined(start: Array, slope: Callable[[Array], Array], solve: Callable[[Array], Array]) -> Array | None:
-    """The pairs x with slope(x) = 0, from a start, or None if the steps do not grow smaller.
+    """The pairs x with slope(x) = 0, from a start, by conjugate gradients; None if they do not come to an end.
 
-    ``slope`` is of pairs, and linear; ``solve`` gives the float64 step that takes it to about 0.
+    ``slope`` is of pairs, linear, symmetric and negative definite; ``solve`` gives in float64 about the step that takes
+    it to 0. Were it exact, this were a single step; as it is, each one brings as many digits as the equations leave it,
+    and where that is none in a few directions, conjugate gradients still find these.
     """
-    x, last = start, np.inf
+    x, rest = start, slope(start)
+    step = way = solve(rest[..., 0])
+    work, last = np.sum(rest[..., 0] * step), np.inf
     for _ in range(MOST_STEPS):
-        step = solve(slope(x)[..., 0])
-        x = add(x, widen(step))
-        size = np.max(np.abs(step), initial=0.0)
-        if not size <= last / 2:
-            return None
-        if size * (size / last if np.isfinite(last) else 1.0) <= ENOUGH * np.max(np.abs(x[..., 0]), initial=0.0):
+        change = subtract(rest, slope(add(x, widen(way))))
+        resistance = np.sum(way * change[..., 0])
+        if not resistance > 0.0:
+            return x if not rest.any() else None
+        length = work / resistance
+        x, rest = add(x, times(widen(way), length)), subtract(rest, times(change, length))
+        size = np.max(np.abs(length * way))
+        if size * min(size / last, 1.0) <= ENOUGH * np.max(np.abs(x[..., 0])) and np.isfinite(last):
             return x
-        last = size
+        step = solve(rest[..., 0])
+        before, work, last = work, np.sum(rest[..., 0] * step), size
+        way = step + work / before * way
     return None

@@ -51,9 +51,38 @@ def twice_areas(vertices: Array, triangles: Indices) -> Array:
 
 def _exact_twice_area(corners: Array) -> tuple[float, float]:
     (a, b), (c, d), (e, f) = ([Fraction(x) for x in corner] for corner in corners.tolist())
-    area = (c - a) * (f - b) - (d - b) * (e - a)
-    high = float(area)
-    return high, float(area - Fraction(high))
+    return _pair((c - a) * (f - b) - (d - b) * (e - a))
+
+
+def normals(vertices: Array, triangles: Indices) -> tuple[Array, Array, Array]:
+    """The edges of triangles of space from the first vertex, and their vector product, pairs (faces, 3, 2).
+
+    The product is 0 exactly where there is no area.
+    """
+    first, second, third = (widen(vertices[triangles[:, k]]) for k in range(3))
+    edges = subtract(second, first), subtract(third, first)
+    product = cross(*edges)
+    bound = np.prod([np.abs(edge[..., 0]).max(axis=-1) for edge in edges], axis=0)
+    for face in np.flatnonzero(np.abs(product[..., 0]).max(axis=-1) <= SURE * bound):
+        product[face] = _exact_normal(vertices[triangles[face]])
+    return *edges, product
+
+
+def cross(a: Array, b: Array) -> Array:
+    """The vector products of vectors of pairs, (..., 3, 2)."""
+    turned = [np.roll(x, shift, axis=-2) for x, shift in ((a, -1), (b, -2), (a, -2), (b, -1))]
+    return subtract(multiply(turned[0], turned[1]), multiply(turned[2], turned[3]))
+
+
+def _exact_normal(corners: Array) -> list[tuple[float, float]]:
+    first, *others = ([Fraction(x) for x in corner] for corner in corners.tolist())
+    u, v = ([x - y for x, y in zip(other, first, strict=True)] for other in others)
+    return [_pair(u[i - 2] * v[i - 1] - u[i - 1] * v[i - 2]) for i in range(3)]
+
+
+def _pair(number: Fraction) -> tuple[float, float]:
+    high = float(number)
+    return high, float(number - Fraction(high))
 
 
 def coherent_turns(angles: Array, triangles: Indices) -> Array:
@@ -79,7 +108,7 @@ def coherent_turns(angles: Array, triangles: Indices) -> Array:
     # Every triangle adds what its parent has, whose parent then is twice as far.
     parents = np.append(parents, count)
     while (parents != count).any():
-        turns += np.where(parents == count, 0.0, turns[parents])
+        turns = turns + turns[parents]
         parents = parents[parents]
     return turns[:count]
 

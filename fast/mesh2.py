@@ -37,11 +37,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from affinecert.errors import InputError
 from affinecert.fast import _homotopy
+from affinecert.fast._batches import each
 from affinecert.fast._homotopy import ONE, complex_product, conjugate, squared
 from affinecert.fast._kernel import Array, Shape, as_float64, checked
 from affinecert.fast._mesh_constraints import Barycentre, Constraint, Edge, Held, Locus, Term, read
 from affinecert.fast._mesh_errors import GROWTHS, Errors, Goal, Homotopies, homotopies
-from affinecert.fast._sparse import Pattern, factored, pattern, refined, total
+from affinecert.fast._sparse import Pattern, factored, pattern, refined, total, without_threads_of_blas
 from affinecert.fast._triangulation import Indices, indices, twice_areas
 from affinecert.fast._wide import add, divide, multiply, rounded, subtract, times, widen
 
@@ -264,19 +265,25 @@ def _way(
     return _Way(Errors(source, triangles, parts, by_points), known, backwards)
 
 
-def _interpolated(
-    source: Array, target: Array, triangles: Array, times_: Array, options: _Options, hold: Hold, workers: int = 1
-) -> Array:
-    """The shapes at times (count,), (count, vertices, 2)."""
+def _moving(
+    source: Array, target: Array, triangles: Array, options: _Options, hold: Hold
+) -> Callable[[Array, int], Array]:
+    """What takes times (count,) and a number of threads to shapes (count, vertices, 2)."""
     problem, exponent = _problem(source, target, indices(triangles, len(source)), options, hold)
-    prepared = problem.prepare()
-    numbered = range(len(times_)), times_.tolist()
-    if workers > 1:
-        with ThreadPoolExecutor(workers) as pool:
-            frames = list(pool.map(partial(problem.at, solve=prepared), *numbered))
-    else:
-        frames = list(map(partial(problem.at, solve=prepared), *numbered))
-    return np.ldexp(np.reshape(frames, (-1, len(source), 2)), exponent)
+    with without_threads_of_blas():
+        at = partial(problem.at, solve=problem.prepare())
+
+    def shapes(moments: Array, workers: int = 1) -> Array:
+        numbered = range(len(moments)), moments.tolist()
+        with without_threads_of_blas():
+            if workers > 1:
+                with ThreadPoolExecutor(workers) as pool:
+                    frames = list(pool.map(at, *numbered))
+            else:
+                frames = list(map(at, *numbered))
+        return np.ldexp(np.reshape(frames, (-1, len(source), 2)), exponent)
+
+    return shapes
 
 
 def interpolate(
@@ -356,7 +363,7 @@ def interpolate(
         return held
 
     threads = min(workers or min(os.cpu_count() or 1, MOST_WORKERS), moments.size)
-    frames = _interpolated(first, last, faces, moments.ravel(), options, hold, threads)
+    frames = _moving(first, last, faces, options, hold)(moments.ravel(), threads)
     return frames.reshape(*moments.shape, *first.shape)
 
 
@@ -467,17 +474,9 @@ def _each(
     inputs: Mapping[str, Shape], arguments: tuple[ArrayLike, ...], settled: Callable[..., tuple[_Options, Hold]]
 ) -> Array:
     """The shapes of a batch; ``settled`` makes options and constraints of the arguments after the time."""
-    arrays, batches, sizes = checked(inputs, arguments)
-    batch = np.broadcast_shapes(*batches)
-    shapes = np.empty((*batch, sizes["vertices"], 2))
-    wide = [np.broadcast_to(array, batch + array.shape[len(own) :]) for array, own in zip(arrays, batches, strict=True)]
-    for index in np.ndindex(*batch):
-        source, target, triangles, t, *more = (array[index] for array in wide)
-        try:
-            shapes[index] = _interpolated(source, target, triangles, np.reshape(t, 1), *settled(*more))[0]
-        except InputError as error:
-            own = dict(zip(inputs, batches, strict=True))[error.argument]
-            tail = index[len(index) - len(own) :]
-            place = tuple(i if size > 1 else 0 for i, size in zip(tail, own, strict=True))
-            raise InputError(error.argument, error.reason, place) from None
-    return shapes
+
+    def prepare(source: Array, target: Array, triangles: Array, *more: Array) -> Callable[[Array], Array]:
+        shapes = _moving(source, target, triangles, *settled(*more))
+        return lambda t: shapes(t[None])[0]
+
+    return each(inputs, arguments, "t", prepare, ("vertices", 2))

@@ -21,16 +21,20 @@ def minimiser(ctx: Context, squares: Iterable[Square], size: int, known: Mapping
     """The one x, (size,), that makes a sum of squares least, where some of its entries are given; None if not unique.
 
     The normal equations are eliminated from the last unknown to the first, zeros left out: unknowns that only few
-    squares share belong to the end.
+    squares share belong to the end. Goals and given entries may be vectors, for sums of squares that differ in them
+    only; they stand on the left of products, where an mpf would first look for a number in them.
     """
     rows: list[dict[int, Number]] = [{} for _ in range(size)]
-    right = [ctx.zero] * size
+    right: list[Number] = [None] * size
     for weight, terms, goal in squares:
-        rest = goal - sum((c * known[i] for i, c in terms if i in known), ctx.zero)
+        rest = goal
+        for i, c in terms:
+            if i in known:
+                rest = rest - known[i] * c
         free = [(i, c) for i, c in terms if i not in known]
         for i, c in free:
             weighted = weight * c
-            right[i] += weighted * rest
+            right[i] = rest * weighted if right[i] is None else right[i] + rest * weighted
             for j, other in free:
                 if j <= i:
                     rows[i][j] = rows[i].get(j, ctx.zero) + weighted * other
@@ -42,11 +46,15 @@ def minimiser(ctx: Context, squares: Iterable[Square], size: int, known: Mapping
         row = [(j, entry) for j, entry in rows[k].items() if j < k]
         for i, entry in row:
             factor = entry / rows[k][k]
-            right[i] -= factor * right[k]
+            right[i] = right[i] - right[k] * factor
             for j, other in row:
                 if j <= i:
                     rows[i][j] = rows[i].get(j, ctx.zero) - factor * other
     x = dict(known)
     for k in unknown:
-        x[k] = (right[k] - sum((entry * x[j] for j, entry in rows[k].items() if j < k), ctx.zero)) / rows[k][k]
+        rest = right[k]
+        for j, entry in rows[k].items():
+            if j < k:
+                rest = rest - x[j] * entry
+        x[k] = rest / rows[k][k]
     return array([x[k] for k in range(size)])

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -22,6 +23,7 @@ from affinecert.reference import _domain, homotopy2
 from affinecert.reference._exact import determinant_sign
 from affinecert.reference._least_squares import Square, minimiser
 from affinecert.reference._matrices import Array, Context, Number, array, scalar
+from affinecert.reference._triangulation import Triple, triples
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,7 @@ class Face:
     ``corners`` are the places of its vertices seen from their centroid.
     """
 
-    vertices: tuple[int, int, int]
+    vertices: Triple
     inverse: Array
     corners: Array
     area: Number
@@ -126,39 +128,30 @@ def symmetric(ctx: Context, source: Array, target: Array, triangles: Array, t: A
 def _faces(ctx: Context, source: Array, target: Array, triangles: Array, t: Array) -> list[Face]:
     for name, argument in (("source", source), ("target", target), ("triangles", triangles), ("t", t)):
         _domain.finite(ctx, name, argument)
-    found = []
-    for triple in _triples(triangles, len(source)):
-        before, after = _edges(source, triple), _edges(target, triple)
-        sign = determinant_sign(before)
-        if sign == 0:
-            raise InputError("source", "a triangle without area")
-        if determinant_sign(after) != sign:
-            raise InputError("target", "a triangle without area, or turned over")
-        (a, b), (c, d) = before
-        area = (a * d - b * c) / 2
-        inverse = array([[d, -b], [-c, a]]) / (2 * area)
-        corners = source[list(triple)] - sum(source[list(triple)]) / 3
-        found.append(Face(triple, inverse, corners, abs(area), homotopy2.exponential(ctx, after @ inverse, t)))
-    return found
+    return [
+        _face(ctx, ctx.prec, triple, tuple(source[[*triple]].flat), tuple(target[[*triple]].flat), t[()])
+        for triple in triples(triangles, len(source))
+    ]
 
 
-def _triples(triangles: Array, count: int) -> list[tuple[int, int, int]]:
-    """The triangles as indices; refuses what is no mesh of one piece."""
-    triples = [(int(i), int(j), int(k)) for i, j, k in triangles]
-    if any(int(x) != x or not 0 <= x < count for x in triangles.flat) or any(len({*each}) < 3 for each in triples):
-        raise InputError("triangles", "not triples of different vertices")
-    reached, before = {0}, -1
-    while len(reached) > before:
-        before = len(reached)
-        reached |= {i for each in triples if reached & {*each} for i in each}
-    if len(reached) < count:
-        raise InputError("triangles", "not one piece with all vertices")
-    return triples
-
-
-def _edges(vertices: Array, triple: tuple[int, int, int]) -> Array:
-    first, second, third = (vertices[i] for i in triple)
-    return array([second - first, third - first]).T
+# A mesh whose derivatives are taken is asked for again with a single vertex moved, and most faces stay as they were.
+@lru_cache(maxsize=256)
+def _face(
+    ctx: Context, _: int, vertices: Triple, before: tuple[Number, ...], after: tuple[Number, ...], t: Number
+) -> Face:
+    """The triangle of those vertices, given all coordinates in source and target, and the precision."""
+    source, target = (array(each).reshape(3, 2) for each in (before, after))
+    edges, goals = (array([points[1] - points[0], points[2] - points[0]]).T for points in (source, target))
+    sign = determinant_sign(edges)
+    if sign == 0:
+        raise InputError("source", "a triangle without area")
+    if determinant_sign(goals) != sign:
+        raise InputError("target", "a triangle without area, or turned over")
+    (a, b), (c, d) = edges
+    double = a * d - b * c
+    inverse = array([[d, -b], [-c, a]]) / double
+    corners = source - sum(source) / 3
+    return Face(vertices, inverse, corners, abs(double) / 2, homotopy2.exponential(ctx, goals @ inverse, scalar(t)))
 
 
 def _first(source: Array, target: Array, t: Array) -> Locus:

@@ -79,6 +79,7 @@ def test_the_catalogue_has_its_maps_in_order() -> None:
         "morphs",
         "homotopy2",
         "mesh2",
+        "mesh3",
         "splines",
         "curves",
         "measures",

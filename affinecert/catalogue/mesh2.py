@@ -16,13 +16,18 @@ from affinecert.map import Argument, Array, Block, Map, Point, Regime
 from affinecert.reference import mesh2 as reference
 from affinecert.sampling import any_rotation, scalar, signed, vector
 
-FAN = ((0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 1))
-"""Four triangles about a vertex."""
+Triangles = tuple[tuple[int, int, int], ...]
 
-STRIP = ((0, 1, 2), (2, 1, 3), (2, 3, 4))
-"""Three triangles in a row, all vertices on the boundary."""
+FAN: Triangles = ((0, 1, 2), (0, 2, 3), (0, 3, 1))
+"""Three triangles about a vertex: the smallest mesh in which they get into each other's way."""
 
-TRIANGLE = ((0, 1, 2),)
+WHEEL: Triangles = ((0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 5), (0, 5, 1))
+"""Five of them."""
+
+STRIP: Triangles = ((0, 1, 2), (2, 1, 3), (2, 3, 4))
+"""Three triangles in a row, all vertices on the boundary: no similarity is refused them one by one."""
+
+TRIANGLE: Triangles = ((0, 1, 2),)
 
 
 @dataclass(frozen=True)
@@ -31,24 +36,21 @@ class Shapes:
 
     source: Array
     target: Array
-    triangles: tuple[tuple[int, int, int], ...]
+    triangles: Triangles
     distance: float
 
 
-def fan(draw: Draw) -> Array:
-    """Five vertices, four of them about the first."""
-    spokes = [
-        draw.uniform(0.5, 1.5) * np.array([math.cos(angle), math.sin(angle)])
-        for angle in (math.pi / 2 * (k + draw.uniform(-0.25, 0.25)) for k in range(4))
-    ]
-    return np.array([0.2 * draw.direction(2), *spokes])
+def about_a_vertex(spokes: int, draw: Draw) -> Array:
+    """A vertex and that many about it, counterclockwise; no height of a triangle is below 0.1."""
+    step = 2 * math.pi / spokes
+    angles = [step * (k + draw.uniform(-0.1, 0.1)) for k in range(spokes)]
+    ends = [draw.uniform(0.7, 1.4) * np.array([math.cos(angle), math.sin(angle)]) for angle in angles]
+    return np.array([0.1 * draw.direction(2), *ends])
 
 
 def strip(draw: Draw) -> Array:
     """Five vertices on two lines, in turns."""
-    return np.array([[k / 2 + draw.uniform(-0.2, 0.2), k % 2 + draw.uniform(-0.2, 0.2)] for k in range(5)])[
-        [0, 2, 1, 4, 3]
-    ]
+    return np.array([[k / 2 + draw.uniform(-0.2, 0.2), 1 - k % 2 + draw.uniform(-0.2, 0.2)] for k in range(5)])
 
 
 def triangle(draw: Draw) -> Array:
@@ -56,7 +58,13 @@ def triangle(draw: Draw) -> Array:
     return np.array([[0.0, 0.0], [draw.uniform(0.5, 1.5), 0.0], [draw.uniform(-1, 1), draw.uniform(0.5, 1.5)]])
 
 
-MESHES = {FAN: fan, STRIP: strip, TRIANGLE: triangle}
+SHAPES = {
+    FAN: partial(about_a_vertex, 3),
+    WHEEL: partial(about_a_vertex, 5),
+    STRIP: strip,
+    TRIANGLE: triangle,
+}
+"""How the vertices of each mesh are drawn."""
 
 
 def relabelled(draw: Draw, shapes: Shapes) -> Shapes:
@@ -74,31 +82,31 @@ def turned(shape: Array, angle: float) -> Array:
     return shape @ np.array([[cosine, sine], [-sine, cosine]])
 
 
-def _generic(triangles: tuple[tuple[int, int, int], ...], draw: Draw) -> Shapes:
-    source, target = (MESHES[triangles](draw) for _ in range(2))
-    # The triangles turn by less than 1.5 of their own: the strip's by 1.1, the fan's by 0.7 at most.
+def _generic(triangles: Triangles, draw: Draw) -> Shapes:
+    source, target = (SHAPES[triangles](draw) for _ in range(2))
+    # Of their own the triangles turn by less than 1.6.
     angle = draw.uniform(-1.5, 1.5)
     return Shapes(source, draw.uniform(0.5, 2) * turned(target, angle), triangles, math.pi - abs(angle))
 
 
 def _near_identity(draw: Draw) -> Shapes:
-    source, gap = fan(draw), draw.exponent(-16, -1)
-    return Shapes(source, source + gap * draw.direction(10).reshape(5, 2), FAN, gap)
+    source, gap = SHAPES[FAN](draw), draw.exponent(-16, -1.5)
+    return Shapes(source, source + gap * draw.direction(8).reshape(4, 2), FAN, gap)
 
 
 def _large_rotation(draw: Draw) -> Shapes:
     """All triangles turned by nearly pi, to one side of it."""
-    source, gap = fan(draw), signed(draw, -8, 0)
-    target = source + abs(gap) / 20 * draw.direction(10).reshape(5, 2)
-    # By a quarter of the gap at most each triangle turns otherwise: its edges are longer than 0.2.
+    source, gap = SHAPES[FAN](draw), signed(draw, -8, 0)
+    # With heights above 0.1, an edge moved by 0.02 of the gap turns a triangle by a fifth of it at most.
+    target = source + abs(gap) / 100 * draw.direction(8).reshape(4, 2)
     return Shapes(source, -turned(target, -gap), FAN, abs(gap))
 
 
 def _thin(draw: Draw) -> Shapes:
     """Shapes flattened along any directions, one or both."""
-    ratio = draw.exponent(-4, -1)
-    flat = [shape @ any_rotation(draw, 2) * np.array([1.0, ratio]) for shape in (fan(draw), fan(draw))]
-    source, target = flat[0], draw.choice((fan(draw), flat[1]))
+    ratio = draw.exponent(-8, -1)
+    flat = [shape @ any_rotation(draw, 2) * np.array([1.0, ratio]) for shape in (SHAPES[FAN](draw), SHAPES[FAN](draw))]
+    source, target = flat[0], draw.choice((SHAPES[FAN](draw), flat[1]))
     return Shapes(source, target, FAN, ratio)
 
 
@@ -128,7 +136,7 @@ def _outside(draw: Draw) -> Shapes:
     return replace(shapes, **{kind: flat})
 
 
-def _regime(name: str, build: Callable[[Draw], Shapes], distance: str, share: float = 0.25) -> Regime:
+def _regime(name: str, build: Callable[[Draw], Shapes], distance: str, share: float = 0.2) -> Regime:
     def point(draw: Draw) -> Point:
         shapes = relabelled(draw, build(draw))
         return Point((shapes.source, shapes.target, np.array(shapes.triangles, dtype=np.float64)), shapes.distance)
@@ -142,6 +150,7 @@ REGIMES = (
     *timed(
         (
             GENERIC,
+            _regime("wheel", partial(_generic, WHEEL), "pi - angle", share=0.1),
             _regime("strip", partial(_generic, STRIP), "pi - angle"),
             _regime("one-triangle", partial(_generic, TRIANGLE), "pi - angle"),
             _regime("near-identity", _near_identity, "distance of source and target"),
@@ -149,10 +158,10 @@ REGIMES = (
             _regime("thin", _thin, "ratio of height and length"),
             _regime("tiny-next-to-huge", _far, "distance from the origin"),
             _regime("huge-or-tiny", _huge_or_tiny, "scale"),
-            _regime("outside", _outside, "none", share=0.25),
+            _regime("outside", _outside, "none"),
         )
     ),
-    *(replace(regime, share=0.25) for regime in about_time(GENERIC)),
+    *(replace(regime, share=0.2) for regime in about_time(GENERIC)),
 )
 """Source, target, triangles and t."""
 
