@@ -6,7 +6,7 @@ import numpy as np
 
 from affinecert.fast import affine_lie, morphs, sam, se3, sim3, so3
 
-from .defect import Array, block, column, homogeneous, parts, seeded, times
+from .defect import Array, block, column, homogeneous, parts, seeded
 
 
 def polar(linear: Array) -> tuple[Array, Array]:
@@ -199,14 +199,17 @@ def area_for_scale(start: Array, end: Array, t: Array) -> Array:
 def by_sides(start: Array, end: Array, t: Array, shares: tuple[float, float], scaled: bool = True) -> Array:
     """The three spirals, each vertex with those shares of the side that leads away and of the one before."""
     first, last = (
-        np.stack([z[:, 2], z[:, 2] + z[:, 0], z[:, 2] + z[:, 1]]) for z in (x[:, 0] + 1j * x[:, 1] for x in (start, end))
+        np.stack([z[:, 2], z[:, 2] + z[:, 0], z[:, 2] + z[:, 1]])
+        for z in (x[:, 0] + 1j * x[:, 1] for x in (start, end))
     )
     ratio = (np.roll(last, -1, axis=0) - last) / (np.roll(first, -1, axis=0) - first)
     grown = ratio**t if scaled else (1 - t + t * np.abs(ratio)) * np.exp(1j * t * np.angle(ratio))
     share = (grown - 1) / (ratio - 1)
     corners = first + (shares[0] * share + shares[1] * np.roll(share, 1, axis=0)) * (last - first)
     columns = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=-1)
-    return homogeneous(np.stack([columns.real, columns.imag], axis=1), np.stack([corners[0].real, corners[0].imag], axis=-1))
+    return homogeneous(
+        np.stack([columns.real, columns.imag], axis=1), np.stack([corners[0].real, corners[0].imag], axis=-1)
+    )
 
 
 @seeded("morphs.three_spiral", "generic-2d")
