@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
-from affinecert.catalogue import affine_lie, morphs, quaternion, sam, scale, se3, shear, sim3, so3, sym3
+from affinecert.catalogue import affine_lie, kaji_ochiai, morphs, polar, quaternion, sam, scale, se3, shear, sim3, so3, sym3
 from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 
 CATALOGUE: Mapping[str, Map] = MappingProxyType(
     {
         entry.name: entry
-        for family in (so3, se3, sim3, scale, shear, sym3, affine_lie, sam, quaternion, morphs)
+        for family in (so3, se3, sim3, scale, shear, sym3, polar, affine_lie, sam, quaternion, kaji_ochiai, morphs)
         for entry in family.MAPS
     }
 )
