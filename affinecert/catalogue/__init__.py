@@ -6,7 +6,20 @@ from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
-from affinecert.catalogue import affine_lie, kaji_ochiai, morphs, polar, quaternion, sam, scale, se3, shear, sim3, so3, sym3
+from affinecert.catalogue import (
+    affine_lie,
+    kaji_ochiai,
+    morphs,
+    polar,
+    quaternion,
+    sam,
+    scale,
+    se3,
+    shear,
+    sim3,
+    so3,
+    sym3,
+)
 from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 

@@ -6,4 +6,17 @@ A defect is entered by the decorator `seeded`; the modules, one a family, are im
 from . import affine_lie, morphs, polar, quaternion, sam, se3, shear, sim3, so3, sym3
 from .defect import DEFECTS, Defect
 
-__all__ = ["DEFECTS", "Defect", "affine_lie", "morphs", "polar", "quaternion", "sam", "se3", "shear", "sim3", "so3", "sym3"]
+__all__ = [
+    "DEFECTS",
+    "Defect",
+    "affine_lie",
+    "morphs",
+    "polar",
+    "quaternion",
+    "sam",
+    "se3",
+    "shear",
+    "sim3",
+    "so3",
+    "sym3",
+]
