@@ -77,6 +77,9 @@ def test_the_catalogue_has_its_maps_in_order() -> None:
         "quaternion",
         "kaji_ochiai",
         "morphs",
+        "homotopy2",
+        "mesh2",
+        "mesh3",
     ]
     assert all(name == entry.name for name, entry in CATALOGUE.items())
 

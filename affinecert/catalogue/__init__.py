@@ -8,7 +8,10 @@ from types import MappingProxyType
 
 from affinecert.catalogue import (
     affine_lie,
+    homotopy2,
     kaji_ochiai,
+    mesh2,
+    mesh3,
     morphs,
     polar,
     quaternion,
@@ -26,7 +29,23 @@ from affinecert.map import Map
 CATALOGUE: Mapping[str, Map] = MappingProxyType(
     {
         entry.name: entry
-        for family in (so3, se3, sim3, scale, shear, sym3, polar, affine_lie, sam, quaternion, kaji_ochiai, morphs)
+        for family in (
+            so3,
+            se3,
+            sim3,
+            scale,
+            shear,
+            sym3,
+            polar,
+            affine_lie,
+            sam,
+            quaternion,
+            kaji_ochiai,
+            morphs,
+            homotopy2,
+            mesh2,
+            mesh3,
+        )
         for entry in family.MAPS
     }
 )
