@@ -246,6 +246,15 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "endpoints.sam.power": ("sam.power", in_time("sam.power", lambda t: t * (1 + 1e-12))),
     "fixed_point.sam": ("sam.fixed_point", scaled("sam.fixed_point", 1 + 1e-12)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
+    "coincidence.sclerp": ("morphs.sclerp", in_time("morphs.sclerp", np.square)),
+    "coincidence.lie": ("morphs.lie", in_time("morphs.lie", np.square)),
+    "coincidence.log_spiral": ("morphs.log_spiral", in_time("morphs.log_spiral", np.square)),
+    "coincidence.alexa_2002": ("morphs.alexa_2002", in_time("morphs.alexa_2002", lambda t: t * (1 + 1e-12))),
+    "coincidence.arap": ("morphs.arap", in_time("morphs.arap", lambda t: t * (1 + 1e-12))),
+    "coincidence.asap": ("morphs.asap", in_time("morphs.asap", lambda t: t * (1 + 1e-12))),
+    "coincidence.polar_exponential": ("morphs.polar_exponential", in_time("morphs.polar_exponential", np.square)),
+    "great_arcs.reversibility": ("quaternion.slerp", in_time("quaternion.slerp", np.square)),
+    "great_arcs.invariance": ("quaternion.slerp", nudged("quaternion.slerp", 0, 1e-3)),
 }
 """For each law a map that it needs, and how it is broken."""
 
