@@ -42,6 +42,10 @@ SPIRAL = plane([[0, -1], [1, 1]])
 AFFINES = np.stack([np.eye(4), SPACE, space(STRETCH)])
 PARAMETERS = np.arange(12.0) / 4 - 1
 
+MORPHS = tuple(name for name, entry in CATALOGUE.items() if entry.family == "morphs")
+RIGID_MORPHS = ("morphs.sclerp", "morphs.dual_quaternion_linear")
+AFFINE_MORPHS = tuple(name for name in MORPHS if name not in (*RIGID_MORPHS, "morphs.sim"))
+
 GOOD: dict[str, tuple[Array, ...]] = {
     "so3.exp": (np.array([1.0, -2, 0.5]),),
     "so3.log": (TURN,),
@@ -91,12 +95,16 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "curves.patch": (IDENTITY, PLANE, STEADY, IDENTITY, HALF, HALF),
     "curves.regular_pattern": (PLANE, STEADY),
     "curves.grazing_parameter": (SPIRAL, np.array([1.0, 2.0]), np.array([1.0, 0.0]), np.array([0.0, 1.0])),
+    "quaternion.slerp": (np.array([0.6, 0, 0.8, 0]), np.array([0.0, 1, 0, 0]), HALF),
     "kaji_ochiai.parametrise": (SPACE,),
     "kaji_ochiai.parametrise_near": (SPACE, PARAMETERS),
     "kaji_ochiai.realise": (PARAMETERS,),
     "kaji_ochiai.blend": (AFFINES, np.array([0.5, 0.25, 0.25])),
     "kaji_ochiai.interpolate": (AFFINES, np.array([0.0, 1, 3]), HALF),
     "kaji_ochiai.deform": (TETRAHEDRON, AFFINES, np.arange(12.0).reshape(4, 3) / 12),
+    **dict.fromkeys(AFFINE_MORPHS, (PLANE, plane([[1, 1], [0, 2]]), HALF)),
+    **dict.fromkeys(RIGID_MORPHS, (space(TURN), space(TURN.T), HALF)),
+    "morphs.sim": (space(2 * TURN), space(TURN.T), HALF),
 }
 """Good inputs of every map, one item each."""
 
@@ -309,6 +317,19 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("sam.morph", 0, last_row(PLANE), "last row"),
     ("sam.morph", 1, last_row(PLANE), "last row"),
     ("sam.morph", 1, plane(np.array(PLANE)[:2, :2] @ [[-1, 0], [0, -2]]), "no real logarithm"),
+    ("quaternion.slerp", 0, np.zeros(4), "not a unit quaternion"),
+    ("quaternion.slerp", 1, np.array([0.6, 0, 0.8, 0.002]), "not a unit quaternion"),
+    *((name, 0, mirrored(PLANE), "determinant") for name in AFFINE_MORPHS),
+    *((name, 1, singular(PLANE), "determinant") for name in AFFINE_MORPHS),
+    *((name, number, last_row(PLANE), "last row") for name in AFFINE_MORPHS for number in (0, 1)),
+    *(("morphs.alexa_2002", number, bad, "no real logarithm") for number in (0, 1) for bad in NO_LOGARITHM[:2]),
+    *((name, 0, space(mirrored(TURN)), "not a rotation") for name in RIGID_MORPHS),
+    *((name, 1, space(OFF), "not a rotation") for name in RIGID_MORPHS),
+    *((name, 1, last_row(space(TURN)), "last row") for name in RIGID_MORPHS),
+    ("morphs.sim", 0, space(mirrored(TURN)), "determinant"),
+    ("morphs.sim", 0, space(OFF), "not a similarity"),
+    ("morphs.sim", 1, space(STRETCH), "not a similarity"),
+    ("morphs.sim", 1, last_row(space(TURN)), "last row"),
     ("sam.fixed_point", 0, plane(np.eye(2)), "fixed point"),
     ("sam.fixed_point", 0, space([[1, 0, 0], [0, 2, 0], [0, 0, 3]]), "fixed point"),
     ("sam.fixed_point", 0, last_row(PLANE), "last row"),

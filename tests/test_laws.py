@@ -273,6 +273,15 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "subclasses.blend": ("kaji_ochiai.blend", nudged("kaji_ochiai.blend", (0, 1), 1e-9)),
     "subclasses.interpolate": ("kaji_ochiai.interpolate", nudged("kaji_ochiai.interpolate", (0, 1), 1e-9)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
+    "coincidence.sclerp": ("morphs.sclerp", in_time("morphs.sclerp", np.square)),
+    "coincidence.lie": ("morphs.lie", in_time("morphs.lie", np.square)),
+    "coincidence.log_spiral": ("morphs.log_spiral", in_time("morphs.log_spiral", np.square)),
+    "coincidence.alexa_2002": ("morphs.alexa_2002", in_time("morphs.alexa_2002", lambda t: t * (1 + 1e-12))),
+    "coincidence.arap": ("morphs.arap", in_time("morphs.arap", lambda t: t * (1 + 1e-12))),
+    "coincidence.asap": ("morphs.asap", in_time("morphs.asap", lambda t: t * (1 + 1e-12))),
+    "coincidence.polar_exponential": ("morphs.polar_exponential", in_time("morphs.polar_exponential", np.square)),
+    "great_arcs.reversibility": ("quaternion.slerp", in_time("quaternion.slerp", np.square)),
+    "great_arcs.invariance": ("quaternion.slerp", nudged("quaternion.slerp", 0, 1e-3)),
 }
 """For each law a map that it needs, and how it is broken."""
 

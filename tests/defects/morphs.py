@@ -6,7 +6,7 @@ import numpy as np
 
 from affinecert.fast import affine_lie, morphs, sam, se3, sim3, so3
 
-from .defect import Array, block, column, homogeneous, parts, seeded, times
+from .defect import Array, block, column, homogeneous, parts, seeded
 
 
 def polar(linear: Array) -> tuple[Array, Array]:
