@@ -12,10 +12,12 @@ from affinecert.properties.laws import (
     existence,
     exp_log,
     fixed_point,
+    grazing,
     isometry,
     one_parameter,
     reversibility,
     steadiness,
+    through_keys,
     volume_kept,
     volume_monotone,
 )
@@ -35,4 +37,6 @@ LAWS: tuple[Law, ...] = (
     *equivariance.LAWS,
     *endpoints.LAWS,
     *fixed_point.LAWS,
+    *through_keys.LAWS,
+    *grazing.LAWS,
 )

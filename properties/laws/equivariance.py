@@ -28,6 +28,13 @@ def _affine_invariance(maps: Maps, start: Array, end: Array, time: Array, frame:
     return (change @ ask(maps, "sam.morph", start, end, time).affine).misfit(seen.affine)
 
 
+def _curve_invariance(maps: Maps, *arguments: Array) -> float:
+    *poses, time, frame = arguments
+    change = affine(frame)
+    seen = ask(maps, "curves.bezier_quadratic", *(rounded_affine(change @ affine(pose)) for pose in poses), time)
+    return (change @ ask(maps, "curves.bezier_quadratic", *poses, time).affine).misfit(seen.affine)
+
+
 LAWS = (
     Law(
         name="equivariance.sam.power",
@@ -47,5 +54,14 @@ LAWS = (
         needs=("sam.morph",),
         inputs=special.with_frame(strategies.inputs("sam.morph")),
         residual=_affine_invariance,
+    ),
+    Law(
+        name="equivariance.curves.bezier_quadratic",
+        statement="the curve of P A, P B and P C is P times the curve of A, B and C",
+        source="rossignac_vinacua, sections 2.3 (2) and 5.3",
+        domain="as for curves.bezier_quadratic; every P with det P > 0",
+        needs=("curves.bezier_quadratic",),
+        inputs=special.with_frame(strategies.inputs("curves.bezier_quadratic")),
+        residual=_curve_invariance,
     ),
 )

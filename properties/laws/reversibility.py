@@ -60,6 +60,13 @@ def _morphs(maps: Maps, start: Array, end: Array, time: Array) -> float:
     return there.affine.misfit(back.affine)
 
 
+def _curves(name: str, maps: Maps, *arguments: Array) -> float:
+    *poses, time = arguments
+    there = ask(maps, name, *poses, time)
+    back = ask(maps, name, *poses[::-1], _backwards(time))
+    return there.affine.misfit(back.affine)
+
+
 def _law(name: str, source: str, domain: str, residual: Callable[..., float]) -> Law:
     return Law(
         name=f"reversibility.{name}",
@@ -86,5 +93,9 @@ LAWS = (
         "rossignac_vinacua, section 2.3 (3)",
         "C B^-1 with a real logarithm and no negative eigenvalue; at a double one the law is false as above",
         _morphs,
+    ),
+    *(
+        _law(name, f"rossignac_vinacua, {section}", "as for the map", partial(_curves, name))
+        for name, section in (("curves.bezier_quadratic", "section 5.3"), ("curves.biarc", "section 5.3"))
     ),
 )
