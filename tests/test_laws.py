@@ -228,23 +228,16 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "fixed_point.sam": ("sam.fixed_point", scaled("sam.fixed_point", 1 + 1e-12)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
     "through_keys.curves.shear_curve": ("curves.shear_curve", in_time("curves.shear_curve", lambda t: t + 1e-9)),
-    "through_keys.curves.scale_curve": ("curves.scale_curve", scaled("curves.scale_curve", 1 + 1e-12)),
     "through_keys.curves.affine_curve": ("curves.affine_curve", in_the_printed_order),
     "through_keys.curves.poly_sam": ("curves.poly_sam", in_time("curves.poly_sam", lambda t: t * (1 + 1e-9))),
-    "through_keys.curves.biarc": ("curves.biarc", in_time("curves.biarc", lambda t: t * (1 + 1e-9))),
     "grazing.curves": ("curves.grazing_parameter", negative("curves.grazing_parameter")),
     "reversibility.curves.bezier_quadratic": (
         "curves.bezier_quadratic",
         in_time("curves.bezier_quadratic", np.square),
     ),
-    "reversibility.curves.biarc": ("curves.biarc", in_time("curves.biarc", np.square)),
     "equivariance.curves.bezier_quadratic": (
         "curves.bezier_quadratic",
         nudged("curves.bezier_quadratic", (0, -1), 1e-3),
-    ),
-    "steadiness.curves.bezier_quadratic": (
-        "curves.bezier_quadratic",
-        in_time("curves.bezier_quadratic", np.square),
     ),
 }
 """For each law a map that it needs, and how it is broken."""

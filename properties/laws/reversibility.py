@@ -60,10 +60,10 @@ def _morphs(maps: Maps, start: Array, end: Array, time: Array) -> float:
     return there.affine.misfit(back.affine)
 
 
-def _curves(name: str, maps: Maps, *arguments: Array) -> float:
+def _curves(maps: Maps, *arguments: Array) -> float:
     *poses, time = arguments
-    there = ask(maps, name, *poses, time)
-    back = ask(maps, name, *poses[::-1], _backwards(time))
+    there = ask(maps, "curves.bezier_quadratic", *poses, time)
+    back = ask(maps, "curves.bezier_quadratic", *poses[::-1], _backwards(time))
     return there.affine.misfit(back.affine)
 
 
@@ -94,8 +94,10 @@ LAWS = (
         "C B^-1 with a real logarithm and no negative eigenvalue; at a double one the law is false as above",
         _morphs,
     ),
-    *(
-        _law(name, f"rossignac_vinacua, {section}", "as for the map", partial(_curves, name))
-        for name, section in (("curves.bezier_quadratic", "section 5.3"), ("curves.biarc", "section 5.3"))
+    _law(
+        "curves.bezier_quadratic",
+        "rossignac_vinacua, sections 2.3 (3) and 5.3",
+        "as for curves.bezier_quadratic",
+        _curves,
     ),
 )

@@ -9,8 +9,7 @@ from affinecert.map import Array
 from affinecert.properties import special, strategies
 from affinecert.properties.answer import rounded
 from affinecert.properties.answers import Maps, ask
-from affinecert.properties.culver import without_half_turns
-from affinecert.properties.inexact import affine, precisely
+from affinecert.properties.inexact import precisely
 from affinecert.properties.law import Law
 
 
@@ -27,13 +26,6 @@ def _constant_velocity(maps: Maps, matrix: Array, point: Array, time: Array) -> 
     there = rounded(power(precisely(point)), "point")
     before, after = (ask(maps, "sam.velocity", matrix, place)["velocity"] for place in (point, there))
     return (power.linear @ before).misfit(after)
-
-
-def _half_way(maps: Maps, start: Array, end: Array, time: Array) -> float:
-    without_half_turns((affine(end) @ affine(start).inverse()).linear.value)
-    middle = ask(maps, "sam.morph", start, end, np.array(0.5))
-    curve = ask(maps, "curves.bezier_quadratic", start, middle, end, time)
-    return curve.affine.misfit(ask(maps, "sam.morph", start, end, time).affine)
 
 
 LAWS = (
@@ -56,14 +48,5 @@ LAWS = (
             lambda drawn: (*drawn[0], drawn[1])
         ),
         residual=_constant_velocity,
-    ),
-    Law(
-        name="steadiness.curves.bezier_quadratic",
-        statement="the curve of A, the pose half way to C, and C is the steady morph from A to C",
-        source="rossignac_vinacua, section 5.3",
-        domain="C A^-1 with a real logarithm and no negative eigenvalue; all real t",
-        needs=("curves.bezier_quadratic", "sam.morph"),
-        inputs=strategies.inputs("sam.morph"),
-        residual=_half_way,
     ),
 )
