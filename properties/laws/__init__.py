@@ -13,6 +13,7 @@ from affinecert.properties.laws import (
     existence,
     exp_log,
     fixed_point,
+    grazing,
     great_arcs,
     isometry,
     one_parameter,
@@ -22,6 +23,7 @@ from affinecert.properties.laws import (
     splicing,
     steadiness,
     subclasses,
+    through_keys,
     volume_kept,
     volume_monotone,
 )
@@ -42,9 +44,11 @@ LAWS: tuple[Law, ...] = (
     *endpoints.LAWS,
     *fixed_point.LAWS,
     *coincidence.LAWS,
+    *grazing.LAWS,
     *great_arcs.LAWS,
     *parametrisation.LAWS,
     *similarity.LAWS,
     *splicing.LAWS,
     *subclasses.LAWS,
+    *through_keys.LAWS,
 )

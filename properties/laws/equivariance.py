@@ -47,6 +47,13 @@ def _keys(maps: Maps, poses: Array, time: Array, frame: Array) -> float:
     return (affine(frame) @ here @ affine(back)).misfit(seen.affine)
 
 
+def _curve_invariance(maps: Maps, *arguments: Array) -> float:
+    *poses, time, frame = arguments
+    change = affine(frame)
+    seen = ask(maps, "curves.bezier_quadratic", *(rounded_affine(change @ affine(pose)) for pose in poses), time)
+    return (change @ ask(maps, "curves.bezier_quadratic", *poses, time).affine).misfit(seen.affine)
+
+
 LAWS = (
     Law(
         name="equivariance.sam.power",
@@ -87,5 +94,14 @@ LAWS = (
             st.one_of([strategies.regime("splines.motion", name) for name in ("through-pi", "two-keys")])
         ),
         residual=_keys,
+    ),
+    Law(
+        name="equivariance.curves.bezier_quadratic",
+        statement="the curve of P A, P B and P C is P times the curve of A, B and C",
+        source="rossignac_vinacua, sections 2.3 (2) and 5.3",
+        domain="as for curves.bezier_quadratic; every P with det P > 0",
+        needs=("curves.bezier_quadratic",),
+        inputs=special.with_frame(strategies.inputs("curves.bezier_quadratic")),
+        residual=_curve_invariance,
     ),
 )

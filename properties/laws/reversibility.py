@@ -69,6 +69,13 @@ def _splines(maps: Maps, points: Array, lengths: Array, time: Array) -> float:
     return there["point"].misfit(ask(maps, "splines.evaluate", points[::-1], lengths[::-1], back)["point"])
 
 
+def _curves(maps: Maps, *arguments: Array) -> float:
+    *poses, time = arguments
+    there = ask(maps, "curves.bezier_quadratic", *poses, time)
+    back = ask(maps, "curves.bezier_quadratic", *poses[::-1], _backwards(time))
+    return there.affine.misfit(back.affine)
+
+
 def _law(name: str, source: str, domain: str, residual: Callable[..., float]) -> Law:
     return Law(
         name=f"reversibility.{name}",
@@ -104,5 +111,11 @@ LAWS = (
         needs=("splines.evaluate",),
         inputs=strategies.inputs("splines.evaluate"),
         residual=_splines,
+    ),
+    _law(
+        "curves.bezier_quadratic",
+        "rossignac_vinacua, sections 2.3 (3) and 5.3",
+        "as for curves.bezier_quadratic",
+        _curves,
     ),
 )

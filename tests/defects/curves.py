@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from affinecert.fast import affine_lie, curves, sam, scale, se3, shear
+from affinecert.fast import affine_lie, curves, sam, se3, shear
 
 from .defect import Array, block, column, homogeneous, parts, seeded, times
 

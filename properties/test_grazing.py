@@ -1,0 +1,16 @@
+"""Grazing points of steady motions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from affinecert.properties.law import Law
+from affinecert.properties.laws.grazing import LAWS
+
+
+@pytest.mark.parametrize("law", LAWS, ids=[law.name for law in LAWS])
+def test_grazing(law: Law, keeps: Callable[[Law], None]) -> None:
+    """The subject keeps the law."""
+    keeps(law)
