@@ -213,14 +213,14 @@ def laws(*, subject: str, morph: str, law: str, jobs: int | None, form: str | No
     affinecert laws fast --morph linear
     """
     from affinecert import law_matrix  # noqa: PLC0415
-    from affinecert.reports import matrix  # noqa: PLC0415
+    from affinecert.reports import markdown, matrix  # noqa: PLC0415
 
     cells = law_matrix.law_matrix(subject, morph=morph, law=law, jobs=jobs or os.cpu_count() or 1)
     console = _console()
     if form == "json":
         click.echo(matrix.as_json(cells))
     elif form == "markdown":
-        click.echo(matrix.markdown(cells))
+        click.echo(markdown.law_matrix(cells))
     elif len(matrix.rows(cells)) == 1 or len(matrix.columns(cells)) == 1:
         matrix.show_cells(cells, console)
     else:

@@ -33,6 +33,8 @@ RESOLVED = 20
 SPARE = 24
 BASE = 320
 MOST = 32 * BASE
+# A value alone is as good as certain if two precisions agree to so many bits: more than a pair of float64 holds.
+VALUE = 128
 # Below the smallest normal float64, 2**FLOOR, agreement is absolute.
 FLOOR = -1022
 # A logarithm that changes by more than 2**-JUMP of itself over one step has jumped to another branch, or is as
@@ -66,6 +68,29 @@ def compute(map: Map, inputs: tuple[Array, ...]) -> Truth:
         return Truth((), (), (), error.reason)
     high, low = _halved(ctx, value)
     return Truth(high, low, tuple(min(float(k), sys.float_info.max) for k in sensitivity), None)
+
+
+def value(map: Map, inputs: tuple[Array, ...]) -> Truth:
+    """The truth of a map at one input without the sensitivities, which take most of the time to compute."""
+    ctx = _context()
+    at = _Input(ctx, map, tuple(_numbers(ctx, x) for x in inputs))
+    try:
+        ctx.prec = BASE + BASE // 2
+        fine = None if map.exact else at.outputs()
+        ctx.prec = BASE
+        coarse = None if map.exact else at.outputs()
+    except InputError as error:
+        return Truth((), (), (), error.reason)
+    if (
+        fine is None
+        or coarse is None
+        or any(
+            _norm(ctx, np.ravel(f - c)) > ctx.ldexp(_norm(ctx, np.ravel(f)), -VALUE)
+            for f, c in zip(fine, coarse, strict=True)
+        )
+    ):
+        return replace(compute(map, inputs), sensitivity=())
+    return Truth(*_halved(ctx, fine), (), None)
 
 
 @cache

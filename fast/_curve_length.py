@@ -6,8 +6,8 @@ dexp_c n is, part along c and part across it,
     h(s)^2 = (s / theta)^2 + (rho / theta)^2 sinc(theta / 2)^2,    theta^2 = s^2 + rho^2,
 
 and the length of the curve is the integral of h. h is analytic but at about +-2 i sin(rho / 2), if the line passes
-beyond angle pi, and at places whose imaginary part is 7 or more: so panels are 4 long, and where the first are near, the
-panels next to s = 0 reach from x to 3 x.
+beyond angle pi, and at places whose imaginary part is 7 or more: so panels are 4 long, and where the first are near,
+the panels next to s = 0 reach from x to 3 x.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 from affinecert.fast._kernel import Array
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
-"""Errs by 4.35^-32, or 3e-21, on these panels: Bernstein's ellipse is |z + sqrt(z^2 - 1)| at z = -2 + i at the worst."""
+"""Errs by 4.35^-32, or 3e-21, on these panels: Bernstein's ellipse is |z + sqrt(z^2 - 1)| at z = -2 + i at worst."""
 
 WIDEST = 4.0
 
@@ -47,7 +47,7 @@ def curve_length(first: Array, second: Array) -> Array:
     speed = _speed(s, np.broadcast_to(rho[..., None], panels.shape)[panels][:, None])
     parts = widths[panels] / 2.0 * np.sum(WEIGHTS * speed, axis=-1)
     item = np.broadcast_to(np.arange(length.size).reshape(*length.shape, 1), panels.shape)[panels]
-    return np.bincount(item, parts, minlength=length.size).reshape(length.shape)
+    return np.asarray(np.bincount(item, parts, minlength=length.size), dtype=np.float64).reshape(length.shape)
 
 
 def _norm(vector: Array) -> Array:

@@ -1,7 +1,7 @@
 """Measures of motions: how unsteady one is, how long, what becomes of volume, and how far orderings lead apart.
 
-A path is given by its poses at equal steps of time, homogeneous matrices (..., poses, n, n), n = 3 in the plane and 4 in
-space. Volumes and accelerations are computed in double-double arithmetic and rounded once.
+A path is given by its poses at equal steps of time, homogeneous matrices (..., poses, n, n), n = 3 in the plane and 4
+in space. Volumes and accelerations are computed in double-double arithmetic and rounded once.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ DETERMINANT = "the determinant of the linear part is not positive"
 END = "the determinant of an end is not positive"
 
 LONGEST = 64.0
-"""Rotation vectors of at most so many radians, ten turns: nobody interpolates over more, and the time grows with them."""
+"""Rotation vectors have at most so many radians, ten turns: nobody interpolates over more, and the time grows."""
 
 
 def average_relative_acceleration(poses: ArrayLike, points: ArrayLike) -> Array:
@@ -80,10 +80,10 @@ def average_relative_acceleration_limit(
 ) -> Limit:
     """What `average_relative_acceleration` of a morph comes to for ever shorter steps, and an estimate of the error.
 
-    morph(start, end, t) gives the poses (times, n, n) for poses (n, n) and times (times,); the points are (points, n-1).
-    The number of steps is doubled from 4 on, and the sequence extrapolated (Richardson; the error of k steps is a series
-    in 1/k), until two extrapolations in a row agree to ``tolerance``, absolutely or relatively, whichever is coarser;
-    or until 1024 steps, beyond which rounding of the poses prevails: the error then tells what was reached.
+    morph(start, end, t) gives the poses (times, n, n) for poses (n, n) and times (times,); points are (points, n - 1).
+    The number of steps is doubled from 4 on, and the sequence extrapolated (Richardson; the error of k steps is a
+    series in 1/k), until two extrapolations in a row agree to ``tolerance``, absolutely or relatively, whichever is
+    coarser; or until 1024 steps, beyond which rounding of the poses prevails: the error then tells what was reached.
     """
     rows: list[list[float]] = []
     best = Limit(np.nan, np.inf)
@@ -154,9 +154,9 @@ def path_deviation(source: ArrayLike, target: ArrayLike, times: ArrayLike) -> Ar
 
     source and target (..., 4, 3), vertices in rows, and times (..., times), one or more; gives (..., 2). With T_t the
     affine map from the source to what `affine_lie.interpolate_orderings` makes of it, one for each of the twelve
-    orderings, two orderings deviate by the largest Frobenius norm |T_t - T'_t|, as homogeneous matrices, over the times;
-    given are the maximum and the median of the 66 pairs. Raises InputError as `affine_lie.interpolate_orderings` does,
-    and for no time.
+    orderings, two orderings deviate by the largest Frobenius norm |T_t - T'_t|, as homogeneous matrices, over the
+    times; given are the maximum and the median of the 66 pairs. Raises InputError as
+    `affine_lie.interpolate_orderings` does, and for no time.
     """
     inputs = {"source": (4, 3), "target": (4, 3), "times": ("times",)}
     first, last, moments = checked(inputs, (source, target, times))[0]
@@ -179,8 +179,8 @@ def rotation_curve_length(first: ArrayLike, second: ArrayLike) -> Array:
 
     first a and second b (..., 3), rotation vectors in radians, 64 at most; gives (...), in radians: the integral of
     |dexp_c (b - a)|, c = (1 - s) a + s b. Gallier, Allen-Blanchette and Leonardos print |b - a| (section 10), to which
-    it comes only if a and b are parallel. Raises InputError for a wrong shape or dtype, numbers that are not finite, and
-    vectors that are longer.
+    it comes only if a and b are parallel. Raises InputError for a wrong shape or dtype, numbers that are not finite,
+    and vectors that are longer.
 
     >>> rotation_curve_length([0.0, 0.0, 0.5], [0.0, 0.0, -0.25])
     array(0.75)
@@ -227,9 +227,9 @@ def _least(pairs: Array) -> Array:
 
 def _total(pairs: Array, axis: int) -> Array:
     """The sum of pairs along an axis, halves upon halves."""
-    rows = np.moveaxis(pairs, axis, 0)
+    rows: Array = np.moveaxis(pairs, axis, 0)
     while len(rows) > 1:
         half = len(rows) // 2
         rest = rows[2 * half :]
         rows = np.concatenate([_wide.add(rows[:half], rows[half : 2 * half]), rest])
-    return rows[0]
+    return np.asarray(rows[0])

@@ -32,6 +32,6 @@ def _node(ctx: Context, count: int, index: int) -> tuple[Number, Number]:
 
 
 def gauss_legendre(ctx: Context, count: int, low: Number, high: Number) -> list[tuple[Number, Number]]:
-    """Nodes and weights of the rule on [low, high], exact for polynomials of degree below 2 count; the count is even."""
+    """Nodes and weights of the rule on [low, high], exact for polynomials of degree below 2 count; count is even."""
     middle, half = (low + high) / 2, (high - low) / 2
     return [(middle + sign * half * x, half * w) for x, w in _rule(ctx, count, ctx.prec) for sign in (1, -1)]

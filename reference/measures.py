@@ -22,10 +22,10 @@ LONGEST = 64
 def average_relative_acceleration(ctx: Context, poses: Array, points: Array) -> Array:
     """The mean acceleration of points in the moving frame, (poses, n, n), (points, n - 1) -> ().
 
-    A path is given by its poses M_0, ..., M_k at equal steps of time, 1 in all. In the frame of M_i the point x moves by
-    M_i^-1 M_(i+1) x - x during a step: the velocity is k times that, the acceleration k times the difference of two
-    successive velocities, and its length is averaged over the points and the k - 1 inner times (Rossignac and
-    Vinacua, sections 1 and 2.4). 0 for a steady motion. Raises InputError for fewer than three poses or no point, a
+    A path is given by its poses M_0, ..., M_k at equal steps of time, 1 in all. In the frame of M_i the point x moves
+    by M_i^-1 M_(i+1) x - x during a step: the velocity is k times that, the acceleration k times the difference of two
+    successive velocities, and its length is averaged over the points and the k - 1 inner times (Rossignac and Vinacua,
+    sections 1 and 2.4). 0 for a steady motion. Raises InputError for fewer than three poses or no point, a
     last row other than 0 ... 0 1, and a determinant that is not positive.
     """
     _path(ctx, poses)
@@ -131,8 +131,8 @@ def rotation_curve_length(ctx: Context, first: Array, second: Array) -> Array:
     return scalar(ctx.fsum(w * ctx.sqrt(1 - 2 * square * stumpff(ctx, x * x + square)[4]) for x, w in nodes))
 
 
-# A rule of n nodes on a panel of `_edges` errs by 4.35**(-2n) or less, so two nodes bring 8.4 bits. For truth half of the
-# precision is enough: an error that is the same function of the input at every step does no harm to differences.
+# A rule of n nodes on a panel of `_edges` errs by 4.35**(-2n) or less, so two nodes bring 8.4 bits. For truth half of
+# the precision is enough: an error that is the same function of the input at every step does no harm to differences.
 _BITS_A_PAIR = 20
 
 

@@ -9,7 +9,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from affinecert.certificate import Certificate
-from affinecert.reports import view
+from affinecert.reports import matrix, view
 from affinecert.reports.plots import plots
 from affinecert.scoring import Verdict
 
@@ -47,6 +47,7 @@ def html(certificate: Certificate) -> str:
     return template.render(
         certificate=certificate,
         view=view,
+        matrix=matrix,
         maps=maps,
         meanings=view.MEANINGS,
         glyphs=GLYPHS,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from affinecert.certificate import Certificate
-from affinecert.reports import view
+from affinecert.certificate import Certificate, MorphLawRecord
+from affinecert.reports import matrix, view
 
 
 def escape(text: str) -> str:
@@ -24,6 +25,21 @@ def code(text: str) -> str:
     return f"{fence} {line} {fence}" if longest else f"`{line}`"
 
 
+def law_matrix(cells: Sequence[MorphLawRecord]) -> str:
+    """The law matrix as a table, and a list of what its words mean."""
+    heads = [escape(matrix.HEADS.get(name, name)) for name in matrix.columns(cells)]
+    table = [
+        f"| morph | {' | '.join(heads)} |",
+        f"|:--|{':-:|' * len(heads)}",
+        *(
+            f"| {escape(row.morph)} | {' | '.join(escape(matrix.word(cell)) for cell in row.cells)} |"
+            for row in matrix.rows(cells)
+        ),
+    ]
+    legend = [f"- *{escape(name)}*: {escape(meaning)}." for name, meaning in matrix.legend(cells)]
+    return "\n".join([*table, "", *legend])
+
+
 def markdown(certificate: Certificate) -> str:
     """The certificate as a Markdown document."""
     environment = Environment(
@@ -35,4 +51,6 @@ def markdown(certificate: Certificate) -> str:
         autoescape=False,
     )
     environment.filters.update(escape=escape, code=code, figure=view.figure, error=view.error, tally=view.tally)
-    return environment.get_template("certificate.md.jinja").render(certificate=certificate, view=view)
+    return environment.get_template("certificate.md.jinja").render(
+        certificate=certificate, view=view, law_matrix=law_matrix
+    )

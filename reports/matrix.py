@@ -1,4 +1,4 @@
-"""The law matrix as people read it: in a terminal, in Markdown, and for the page."""
+"""The law matrix as people read it: its words, and a table of them in a terminal."""
 
 from __future__ import annotations
 
@@ -66,10 +66,7 @@ def columns(cells: Iterable[MorphLawRecord]) -> tuple[str, ...]:
 
 def word(cell: MorphLawRecord) -> str:
     """What stands in a cell: yes, no, or the widest domain on which the law holds; for ARA its value."""
-    if cell.verdict == "partly":
-        told = SHORT.get(cell.holds_on[0], cell.holds_on[0])
-    else:
-        told = WORDS[cell.verdict]
+    told = SHORT.get(cell.holds_on[0], cell.holds_on[0]) if cell.verdict == "partly" else WORDS[cell.verdict]
     if cell.law == STEADINESS.name and cell.value is not None:
         told = "0" if cell.verdict == "holds" else figure(cell.value)
     return told + ("" if cell.confirmed or cell.verdict in {"unclear", "void", "absent"} else "!")
@@ -99,21 +96,24 @@ def sentence(cell: MorphLawRecord) -> str:
     return ", ".join(parts)
 
 
-def poses(cell: MorphLawRecord) -> tuple[str, ...]:
-    """The poses of a counterexample, without their last rows, as JSON: start and end, and perhaps those next to them."""
-    return tuple(json.dumps(from_hex(pose).tolist()[:-1]) for pose in cell.inputs)
+def named_poses(cell: MorphLawRecord) -> tuple[tuple[str, str], ...]:
+    """The poses of a counterexample, without their last rows, as JSON: B and C, and perhaps those next to them."""
+    told = (json.dumps(from_hex(pose).tolist()[:-1]) for pose in cell.inputs)
+    return tuple(zip(("B", "C", "next to it B", "and C"), told, strict=False))
 
 
-def domains(cells: Iterable[MorphLawRecord]) -> tuple[tuple[str, str], ...]:
-    """The domains that are named in cells, short and in words."""
+def legend(cells: Sequence[MorphLawRecord], *, statements: bool = True) -> tuple[tuple[str, str], ...]:
+    """What the words in the matrix mean: domains, signs, morphs that take some poses only, and the heads of laws."""
     named = {cell.holds_on[0] for cell in cells if cell.verdict == "partly"}
-    return tuple((domain.name, domain.words) for domain in DOMAINS if domain.words in named)
-
-
-def symbols(cells: Sequence[MorphLawRecord]) -> tuple[tuple[str, str], ...]:
-    """The words and signs in cells that are no domains, and what they mean."""
-    found = "".join(map(word, cells))
-    return tuple((sign, meaning) for sign, meaning in MEANINGS.items() if sign in found)
+    told = [word(cell) for cell in cells]
+    signs = {sign.removesuffix("!") for sign in told} | {sign[-1] for sign in told if sign.endswith("!")}
+    takes = dict.fromkeys(row.takes for row in rows(cells) if row.takes != DOMAINS[0].words)
+    return (
+        *((domain.name, domain.words) for domain in DOMAINS if domain.words in named),
+        *((sign, meaning) for sign, meaning in MEANINGS.items() if sign in signs),
+        *((", ".join(row.morph for row in rows(cells) if row.takes == pairs), pairs) for pairs in takes),
+        *((HEADS[name], STATEMENTS[name]) for name in columns(cells) if name in HEADS and statements),
+    )
 
 
 def counterexamples(cells: Iterable[MorphLawRecord]) -> tuple[MorphLawRecord, ...]:
@@ -126,22 +126,8 @@ def as_json(cells: Iterable[MorphLawRecord]) -> str:
     return "[\n  " + ",\n  ".join(json.dumps(plain(asdict(cell)), ensure_ascii=False) for cell in cells) + "\n]"
 
 
-def markdown(cells: Sequence[MorphLawRecord]) -> str:
-    """The matrix as a table in Markdown, with what its words mean."""
-    names = columns(cells)
-    lines = [
-        "| | " + " | ".join(HEADS.get(name, name) for name in names) + " |",
-        "|:--|" + ":-:|" * len(names),
-        *(f"| {row.morph} | " + " | ".join(map(word, row.cells)) + " |" for row in rows(cells)),
-        "",
-        *(f"- *{name}*: {words}." for name, words in domains(cells)),
-        *(f"- *{sign}*: {meaning}." for sign, meaning in symbols(cells)),
-    ]
-    return "\n".join(lines)
-
-
-def show(cells: Sequence[MorphLawRecord], console: Console) -> None:
-    """Prints the matrix, in as many parts as the screen needs, and what its words mean."""
+def show(cells: Sequence[MorphLawRecord], console: Console, *, statements: bool = True) -> None:
+    """Prints the matrix, in as many parts as the screen needs, and what its words mean, with the laws' statements."""
     shown, names = rows(cells), columns(cells)
     left = max(len(row.morph) for row in shown)
     room = max((console.width - left) // (WIDTH + 1), 1)
@@ -150,12 +136,8 @@ def show(cells: Sequence[MorphLawRecord], console: Console) -> None:
             console.print()
         console.print(_part(shown, range(start, min(start + room, len(names))), names))
     console.print()
-    for name, meaning in (*domains(cells), *symbols(cells)):
-        console.print(Text.assemble((f"{name:>9}", "bold"), f"  {meaning}"))
-    takes = {row.takes: [other.morph for other in shown if other.takes == row.takes] for row in shown}
-    for pairs, morphs in takes.items():
-        if pairs != DOMAINS[0].words:
-            console.print(Text(f"{', '.join(morphs)}: {pairs}", style="dim"))
+    for name, meaning in legend(cells, statements=statements):
+        console.print(Text.assemble((name, "bold"), f": {meaning}"))
 
 
 WIDTH = 8
@@ -178,5 +160,5 @@ def show_cells(cells: Iterable[MorphLawRecord], console: Console) -> None:
     """Prints cells in full, each with its counterexample."""
     for cell in cells:
         console.print(Text.assemble((cell.morph, STYLES[cell.verdict]), f"  {sentence(cell)}"))
-        for name, pose in zip(("B", "C", "next to it B", "and C"), poses(cell), strict=False):
+        for name, pose in named_poses(cell):
             console.print(Text(f"  {name} = {pose}"), soft_wrap=True)

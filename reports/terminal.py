@@ -12,7 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from affinecert.certificate import CaseResult, Certificate, LawRecord
-from affinecert.reports import view
+from affinecert.reports import matrix, view
 from affinecert.scoring import Verdict
 
 STYLES: Mapping[str, str] = {
@@ -72,6 +72,9 @@ def show(certificate: Certificate, console: Console) -> None:
         console.print(_laws(checked))
     if without := [law.name for law in certificate.laws if law.verdict == "absent"]:
         console.print(Text(f"\nlaws of maps not offered: {', '.join(without)}", style="dim"))
+    if certificate.morph_laws:
+        console.print()
+        matrix.show(certificate.morph_laws, console, statements=False)
     show_findings(certificate, console)
     style = "bold green" if certificate.passed else "bold red"
     head = Text(f"\n{certificate.subject} {certificate.subject_version}: ").append(view.outcome(certificate), style)

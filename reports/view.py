@@ -192,7 +192,9 @@ def extent(certificate: Certificate) -> str:
     """What was done: cases, maps, laws, profile, seconds."""
     names = {result.map for result in certificate.results}
     checked = sum(law.verdict != "absent" for law in certificate.laws)
+    morphs = len({cell.morph for cell in certificate.morph_laws})
+    matrix = f"law matrix of {counted(morphs, 'morph')}, " if morphs else ""
     return (
-        f"{counted(certificate.cases, 'case')} of {counted(len(names), 'map')}, {counted(checked, 'law')}, "
+        f"{counted(certificate.cases, 'case')} of {counted(len(names), 'map')}, {counted(checked, 'law')}, {matrix}"
         f"profile {certificate.profile}, {certificate.seconds:.0f} s"
     )

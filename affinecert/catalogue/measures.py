@@ -1,4 +1,4 @@
-"""The catalogue of measures: unsteadiness, volume and its loss along a path, deviation of orderings, length in SO(3)."""
+"""The catalogue of measures: unsteadiness, volumes and their loss, deviation of orderings, length in SO(3)."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ MAPS = (
     ),
     Map(
         name="measures.degeneracy",
-        definition="1 - min over i of det L_i / min(det L_0, det L_k): 0 without loss of volume, 1 where it vanishes",
+        definition="1 - min over i of det L_i / min(det L_0, det L_k): 0 if no volume is lost, 1 where all is",
         source="rossignac_vinacua, section 6.4",
         domain="ends of positive determinant, last rows 0 ... 0 1",
         arguments=(POSES,),
@@ -170,7 +170,7 @@ MAPS = (
     ),
     Map(
         name="measures.path_deviation",
-        definition="maximum and median, over pairs of the 12 orderings, of max over t of |T_t - T'_t|, homogeneous maps",
+        definition="maximum and median, over pairs of the 12 orderings, of max over t of |T_t - T'_t|, homogeneous",
         source="bansal_tatu, section 5.2.2",
         domain="both tetrahedra of positive volume, right-handed; at least one time",
         arguments=(_vertices("source"), _vertices("target"), Argument("times", ("times",), (ENTRIES,), "1")),
@@ -188,7 +188,7 @@ MAPS = (
     ),
     Map(
         name="measures.rotation_curve_length",
-        definition="the integral over s in [0, 1] of |dexp_c (b - a)|, c = (1 - s) a + s b: length of exp [c]x in SO(3)",
+        definition="integral over s in [0, 1] of |dexp_c (b - a)|, c = (1 - s) a + s b: the length of exp [c]x",
         source="gallier, section 10, whose |b - a| holds for parallel a and b only",
         domain="both vectors of at most 64 radians",
         arguments=(Argument("first", (3,), (NORM,), "radian"), Argument("second", (3,), (NORM,), "radian")),

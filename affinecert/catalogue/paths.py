@@ -1,4 +1,4 @@
-"""Paths, given by their poses at equal steps of time, by how steady they are and how near they come to losing volume."""
+"""Paths, given by their poses at equal steps of time: how steady they are, and how near they come to losing volume."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ class Paths:
 def regimes(
     kinds: Iterable[Paths], count: int, inputs: Callable[[Draw, Array], tuple[Array, ...]], share: float
 ) -> tuple[Regime, ...]:
-    """A regime for each kind and dimension; ``inputs`` makes the map's inputs of a path, ``share`` multiplies each's own.
+    """A regime for each kind and dimension; ``inputs`` makes the map's inputs of a path.
 
-    ``count`` is the number of poses in space; in the plane there are two more.
+    ``count`` is the number of poses in space; in the plane there are two more. ``share`` multiplies each kind's own.
     """
 
     def regime(kind: Paths, size: int) -> Regime:

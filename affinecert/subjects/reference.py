@@ -11,7 +11,7 @@ from affinecert.catalogue import CATALOGUE
 from affinecert.errors import InputError
 from affinecert.map import Array, Map
 from affinecert.subject import Subject
-from affinecert.truths import compute
+from affinecert.truths import value
 
 
 def rounded(entry: Map) -> Callable[..., tuple[Array, ...]]:
@@ -20,7 +20,7 @@ def rounded(entry: Map) -> Callable[..., tuple[Array, ...]]:
     def evaluate(*inputs: Array) -> tuple[Array, ...]:
         items = []
         for index, item in enumerate(zip(*inputs, strict=True)):
-            truth = compute(entry, tuple(np.asarray(array) for array in item))
+            truth = value(entry, tuple(np.asarray(array) for array in item))
             if truth.refusal is not None:
                 raise InputError(entry.arguments[0].name, truth.refusal, (index,))
             items.append(truth.high)

@@ -1,4 +1,4 @@
-"""Homogeneous matrices in batches, (..., n, n), of float64 or of mpmath's numbers as objects: the same code for both."""
+"""Homogeneous matrices in batches, (..., n, n), of float64 or of mpmath's numbers as objects: one code for both."""
 
 from __future__ import annotations
 

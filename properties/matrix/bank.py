@@ -29,8 +29,8 @@ GAP = 2.0**-40
 class Bank:
     """Pairs of poses of one dimension, (pairs, n, n) each, and next to each of them another.
 
-    ``within`` tells for each domain, by name, which pairs belong to it; ``astride`` which ones have a turn by pi between
-    them and their neighbours.
+    ``within`` tells for each domain, by name, which pairs belong to it; ``astride`` which ones have a turn by pi
+    between them and their neighbours.
     """
 
     start: Array
@@ -113,9 +113,9 @@ class _Drawn:
     def vector(self) -> Array:
         return np.asarray(self.generator.uniform(-1.0, 1.0, self.size))
 
-    def rotation(self, largest: float = 3.0) -> Array:
-        """A rotation by up to so many radians, about any axis."""
-        angle = self.number(0.3, 1.0) * largest
+    def rotation(self, largest: float = 3.0, least: float = 0.3) -> Array:
+        """A rotation by up to so many radians, and that part of them at least, about any axis."""
+        angle = self.number(least, 1.0) * largest
         plain = _turn(self.size, 0, 1, np.cos(angle), np.sin(angle))
         frame = np.linalg.qr(self.generator.normal(size=(self.size, self.size)))[0]
         return np.asarray(frame @ plain @ frame.T)
@@ -170,6 +170,10 @@ def _kinds(draw: _Drawn) -> tuple[Callable[[], Linear], ...]:
     def little() -> Array:
         return draw.rotation(0.6)
 
+    def wide() -> Array:
+        """A rotation by 2.4 radians or more, after which the way round may be shorter."""
+        return draw.rotation(3.0, least=0.8)
+
     def little_similarity() -> Array:
         return draw.similarity(0.6)
 
@@ -187,6 +191,7 @@ def _kinds(draw: _Drawn) -> tuple[Callable[[], Linear], ...]:
         by(draw.rotation, draw.anything),
         both(draw.similarity),
         both(draw.rotation),
+        both(wide),
         by(draw.rotation, draw.similarity),
         by(little, draw.anything),
         by(little_similarity, draw.anything),
@@ -250,7 +255,8 @@ def _nudged(pose: Array, way: float) -> Array:
 @cache
 def bank(size: int) -> Bank:
     """The pairs of the plane (2) or of space (3), in the order of their complexity."""
-    ordinary = sorted((*_simple(size), *_drawn(size)), key=total)
+    # Of pairs as simple, the one with the simpler start comes first.
+    ordinary = sorted((*_simple(size), *_drawn(size)), key=lambda pair: (total(pair), total(pair[:1])))
     astride = list(_astride(size))
     start = np.array([*(pair[0] for pair in ordinary), *(pairs[0] for pairs in astride)])
     end = np.array([*(pair[1] for pair in ordinary), *(pairs[1] for pairs in astride)])

@@ -146,8 +146,13 @@ def _of_both(test: Callable[[Array], Mask]) -> Callable[[Array, Array], Mask]:
     return lambda start, end: test(linear(start)) & test(linear(end))
 
 
+def _of_the_plane(start: Array, end: Array) -> Mask:
+    return np.full(len(start), start.shape[-1] == 3)
+
+
 ALL = Domain("all", "all pairs", _everything)
 NO_HALF_TURN = Domain("not pi", "no turn by exactly pi in B, in C or between them", _short_of_pi)
+PLANE = Domain("plane", "B and C are poses of the plane", _of_the_plane)
 MILD = Domain("mild", "C B^-1 turns no direction by a right angle or more", _of_step(_upright))
 UPRIGHT = Domain("upright", "neither B nor C turns a direction by a right angle or more", _of_both(_upright))
 FROM_IDENTITY = Domain("from I", "B = I", lambda start, end: np.asarray(size(start - np.eye(start.shape[-1])) == 0))
@@ -161,6 +166,7 @@ SHIFT = Domain("shift", "C B^-1 is a translation", _of_step(_identity), trivial=
 DOMAINS = (
     ALL,
     NO_HALF_TURN,
+    PLANE,
     MILD,
     UPRIGHT,
     FROM_IDENTITY,
@@ -171,7 +177,7 @@ DOMAINS = (
     STRETCH,
     SHIFT,
 )
-"""From wide to narrow: none is within a later one, and `trial` finds out which are within an earlier one."""
+"""From wide to narrow: none is within a later one; `trial` finds out which are within an earlier one."""
 
 
 def holding(start: Array, end: Array) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """The columns of the law matrix: laws that a morph may keep, as residuals of it between pairs of poses.
 
-A residual is relative: rounding leaves some 1e-13 of it, a broken law much more than 1e-6 on simple poses. The very same
-functions serve a subject in float64, on batches, and the reference in mpmath's numbers.
+A residual is relative: rounding leaves some 1e-13 of it, a broken law much more than 1e-6 on simple poses. The very
+same functions serve a subject in float64, on batches, and the reference in mpmath's numbers.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ def _volume_monotone(motion: Motion) -> Poses:
     rises = [after - before for before, after in pairwise(volumes)]
     up, down = _worst(rises), _worst([-rise for rise in rises])
     largest = _worst([abs(volume) for volume in volumes])
-    return np.maximum(np.minimum(up, down), 0 * up) / largest
+    return np.asarray(np.maximum(np.minimum(up, down), 0 * up) / largest)
 
 
 def _moved(motion: Motion, t: float) -> Poses:
@@ -169,15 +169,25 @@ def _carried(maps: Group, *, left: bool) -> Callable[[Motion], Poses]:
 
 
 def _vanishing(times: tuple[float, ...]) -> Callable[[Motion], Poses]:
-    """Rounding over the least volume, relative to the smaller of the ends': infinite where it is not positive."""
+    """Rounding over the least volume, relative to the smaller of the ends': as good as infinite where it vanishes."""
 
     def residual(motion: Motion) -> Poses:
-        least = reduce(np.minimum, [determinant(motion.at(t)) for t in times])
+        least = reduce(np.minimum, [_volume(motion.at(t)) for t in times])
         relative = least / np.minimum(determinant(motion.start), determinant(motion.end))
-        # 2^-900 stands for nothing: its residual, 2^847, is as good as infinite, and a number in every arithmetic.
-        return UNIT / np.maximum(relative, 2.0**-900)
+        return UNIT / np.maximum(relative, VANISHED)
 
     return residual
+
+
+VANISHED = 2.0**-900
+"""What stands for no volume: its residual, 2^847, is a number in every arithmetic."""
+
+
+def _volume(pose: Poses) -> Poses:
+    """The volumes; not a number where it is not 0, but so small next to the pose that rounding may have made it."""
+    volume = determinant(pose)
+    vague = (abs(volume) < domains.ROUNDING * size(linear(pose)) ** (pose.shape[-1] - 1)) & (volume != 0)
+    return np.where(vague, np.nan, volume)
 
 
 def _exists(motion: Motion) -> Poses:
@@ -198,12 +208,12 @@ def _acceleration(motion: Motion) -> Poses:
         size((after - before)[..., :, k : k + 1]) * 4 for before, after in pairwise(moved) for k in range(len(points))
     ]
     speed = _worst([size(velocity) for velocity in moved])
-    return sum(changes[1:], changes[0]) / len(changes) / (1 + speed)
+    return np.asarray(sum(changes[1:], changes[0]) / len(changes) / (1 + speed))
 
 
 ROSSIGNAC, BANSAL = "rossignac_vinacua", "bansal_tatu"
 
-EXISTS = MorphLaw("exists", "exists", "M(t) exists", f"{ROSSIGNAC}, section 5; {BANSAL}, section 1", _exists)
+EXISTS = MorphLaw("exists", "exists", "M(t) exists", f"{ROSSIGNAC}, section 5; {BANSAL}, section 4", _exists)
 
 STEADINESS = MorphLaw(
     "ARA = 0",
@@ -215,7 +225,7 @@ STEADINESS = MorphLaw(
 """Its cell tells the value between standard poses as well."""
 
 LAWS = (
-    MorphLaw("endpoints", "ends", "M(0) = B and M(1) = C", f"{BANSAL}, section 4.1", _endpoints),
+    MorphLaw("endpoints", "ends", "M(0) = B and M(1) = C", f"{ROSSIGNAC}, section 2.2", _endpoints),
     MorphLaw(
         "steady",
         "steady",
@@ -232,17 +242,17 @@ LAWS = (
     ),
     MorphLaw(
         "volume kept",
-        "vol. kept",
+        "vol kept",
         "if det B = det C, then det M(t) is the same",
-        f"{ROSSIGNAC}, section 2.3 (4); {BANSAL}, Lemma 3",
+        f"{ROSSIGNAC}, section 2.3 (4); {BANSAL}, Lemma 2",
         _volume_kept,
         _equal_volumes,
     ),
     MorphLaw(
         "volume monotone",
-        "vol. mon.",
+        "vol mono",
         "det M(t) only grows or only falls for t in [0, 1]",
-        f"{ROSSIGNAC}, sections 2.3 (4) and 6.4; {BANSAL}, Lemma 2",
+        f"{ROSSIGNAC}, sections 2.3 (4) and 6.4; {BANSAL}, Lemma 3",
         _volume_monotone,
     ),
     MorphLaw(
@@ -255,7 +265,7 @@ LAWS = (
     ),
     MorphLaw(
         "similarity kept",
-        "similar.",
+        "shape",
         "if C B^-1 is a similarity, so is M(t) B^-1",
         f"{ROSSIGNAC}, section 6.3",
         _similarity_kept,
@@ -263,7 +273,7 @@ LAWS = (
     ),
     MorphLaw(
         "reversible",
-        "revers.",
+        "reverse",
         "the morph from C to B at 1 - t is that from B to C at t",
         f"{ROSSIGNAC}, section 2.3 (3); {BANSAL}, Lemma 5",
         _reversible,
@@ -272,14 +282,14 @@ LAWS = (
         "left invariant",
         "left",
         "M(G B, G C) = G M(B, C) for a rigid G",
-        f"{BANSAL}, section 5",
+        f"{ROSSIGNAC}, section 2.3 (2)",
         _carried(LEFT, left=True),
     ),
     MorphLaw(
         "right invariant",
         "right",
         "M(B H, C H) = M(B, C) H for a rigid H",
-        f"{BANSAL}, section 5",
+        f"{ROSSIGNAC}, section 2.2",
         _carried(RIGHT, left=False),
     ),
     MorphLaw(
@@ -300,7 +310,7 @@ LAWS = (
         "never degenerate in [0, 1]",
         "det>0",
         "det M(t) > 0 for t in [0, 1]",
-        f"{ROSSIGNAC}, section 6.4",
+        f"{ROSSIGNAC}, section 3.3.2",
         _vanishing(EIGHTHS),
     ),
     MorphLaw(
@@ -315,7 +325,7 @@ LAWS = (
         "continuous",
         "contin.",
         "poses next to B and C, at 1e-12, have morphs next to M(t)",
-        "kaji_2d, section 3",
+        f"{ROSSIGNAC}, section 2.3 and figure 3",
         _continuous,
         astride=True,
     ),

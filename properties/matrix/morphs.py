@@ -20,8 +20,8 @@ class Morph:
     @property
     def takes(self) -> str:
         """The pairs that it takes, in words."""
-        where = {(2,): " of the plane", (3,): " of space"}.get(self.dimensions, "")
-        return self.domain.words + where
+        where = {2: " of the plane", 3: " of space"}
+        return self.domain.words + (where[self.dimensions[0]] if len(self.dimensions) == 1 else "")
 
 
 MORPHS = (

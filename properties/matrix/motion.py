@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from affinecert.map import Array, Map
+from affinecert.properties.carrying import several
 from affinecert.properties.matrix.algebra import Mask, Poses
 
 Ask = Callable[[Poses, Poses, float], Poses]
@@ -60,7 +61,8 @@ def _fill(function: Callable[..., Any], start: Array, end: Array, t: float, pose
     if not len(start):
         return
     try:
-        answer = np.asarray(function(start.copy(), end.copy(), np.full(len(start), t)), dtype=np.float64)
+        (given,) = several(function(start.copy(), end.copy(), np.full(len(start), t)))
+        answer = np.asarray(given, dtype=np.float64)
         complaint = answer.shape != poses.shape
     except Exception:
         complaint = True
@@ -85,6 +87,4 @@ def reference(entry: Map, ctx: Any) -> Ask:
 
 def exactly(ctx: Any, poses: Array) -> Poses:
     """Poses of float64 as mpmath's numbers."""
-    numbers = np.empty(poses.shape, dtype=object)
-    numbers.flat = [ctx.mpf(x) for x in poses.ravel().tolist()]
-    return numbers
+    return np.array([ctx.mpf(x) for x in poses.ravel().tolist()], dtype=object).reshape(poses.shape)

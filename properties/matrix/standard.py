@@ -13,7 +13,7 @@ from affinecert.properties.matrix.domains import ALL, RIGID_POSES, SIMILARITIES,
 from affinecert.properties.matrix.motion import Ask
 
 STEPS, PARTS = 50, 10
-"""Bansal and Tatu take 50 poses; the grid is coarser than theirs, for the mean over the simplex changes little by it."""
+"""Bansal and Tatu take 50 poses; the grid is coarser than theirs, for the mean changes little by it."""
 
 
 def _rigid(shift: tuple[float, float, float], i: int, j: int) -> Array:
@@ -35,8 +35,8 @@ PAIRS: Mapping[Domain, tuple[Array, Array]] = {
     SIMILARITIES: (FIRST, GROWN),
     RIGID_POSES: (FIRST, LAST),
 }
-"""For each domain that is some morph's own: a slanted triangle that turns by a quarter, is stretched and carried away, as
-in figure 2 of Rossignac and Vinacua; and in space a turn about another axis, with growth or without."""
+"""For each domain that is some morph's own: a slanted triangle that turns by a quarter, is stretched and carried away,
+as in figure 2 of Rossignac and Vinacua; and in space a turn about another axis, with growth or without."""
 
 
 def unsteadiness(ask: Ask, domain: Domain) -> float | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -33,7 +33,10 @@ ENOUGH = 4
 """Pairs of a domain that are needed to say that a law holds there."""
 
 CANDIDATES = 8
-"""Pairs, the simplest three and some of the others, on which the reference is asked to confirm that a law fails, before that is left unconfirmed."""
+"""Pairs, the simplest three and some of the others, on which the reference is asked to confirm that a law fails."""
+
+ENDLESS = 1e100
+"""A residual beyond it is told as infinite: something vanishes that rounding is measured against."""
 
 PRECISION = 200
 """Bits of the reference: a residual that is rounding is far below `HOLDS` then, and one that is not stays."""
@@ -64,9 +67,10 @@ class _Field:
 
 
 def _residual(law: MorphLaw, motion: Motion) -> Array:
-    """The residuals of a subject's motion; not a number where there is no pose, or one without an inverse."""
+    """The residuals of a motion in float64; not a number where there is no pose, or one without an inverse."""
     with np.errstate(all="ignore"):
-        return np.asarray(law.residual(motion), dtype=np.float64)
+        residual = np.asarray(law.residual(motion), dtype=np.float64)
+    return np.where(residual > ENDLESS, np.inf, residual)
 
 
 def _field(morph: Morph, ask: Ask, size: int) -> _Field:
@@ -109,8 +113,8 @@ class Trial:
             return self._record(law, "holds", residual=worst, examples=examples, confirmed=confirmed, note=note)
         if worst < FAILS:
             return self._record(law, "unclear", residual=worst, examples=examples, note=note)
-        domains = list(self._kept_on(residuals))
-        witnesses = (number for domain in domains for number in self._witnesses(residuals, self._within(domain), 1))
+        domains = self._kept_on(residuals)
+        witnesses = (number for domain in domains for number in self._witnesses(residuals, self._within(domain)))
         pairs, residual, broken = self._counterexample(law, residuals)
         return self._record(
             law,
@@ -135,18 +139,19 @@ class Trial:
         """Which of all pairs belong to a domain."""
         return np.concatenate([each.bank.within[domain.name] for each in self.fields])
 
-    def _kept_on(self, residuals: Array) -> Iterator[Domain]:
-        """The widest domains on which a law holds that does not hold everywhere."""
-        found: list[Mask] = []
+    def _kept_on(self, residuals: Array) -> list[Domain]:
+        """The widest domains on which a law holds that does not hold everywhere; those of most pairs come first."""
+        found: list[tuple[Mask, Domain]] = []
         for domain in DOMAINS:
             those = self._within(domain) & ~np.isnan(residuals)
             # Pairs that differ by a translation, which belong to most domains, say nothing of any other.
             telling = those & (domain.trivial | ~self._within(SHIFT))
             if telling.sum() < ENOUGH or residuals[those].max() > HOLDS:
                 continue
-            if not any((wider | ~those).all() for wider in found):
-                found.append(those)
-                yield domain
+            if not any((wider | ~those).all() for wider, _ in found):
+                found.append((those, domain))
+        ranked = [domain for _, domain in sorted(found, key=lambda each: -int(each[0].sum()))]
+        return [domain for domain in ranked if not domain.trivial] or ranked
 
     def _pair(self, number: int) -> tuple[_Field, int]:
         """Where the pair of that number is."""
@@ -156,9 +161,11 @@ class Trial:
             number -= len(each.taken)
         raise IndexError(number)
 
-    def _witnesses(self, residuals: Array, those: Mask, count: int = 2) -> Sequence[int]:
-        """A few pairs, of the most complex ones, which no coincidence helps."""
-        return [int(number) for number in np.flatnonzero(those & ~np.isnan(residuals))[-count:]]
+    def _witnesses(self, residuals: Array, those: Mask) -> Iterator[int]:
+        """A few pairs: the most complex one, which no coincidence helps, and the simplest with a turn by pi, if any."""
+        tried = those & ~np.isnan(residuals)
+        yield int(np.flatnonzero(tried)[-1])
+        yield from map(int, np.flatnonzero(tried & ~self._within(NO_HALF_TURN))[:1])
 
     def _kept(self, law: MorphLaw, numbers: Iterable[int]) -> bool:
         """Whether the reference confirms that a law holds on pairs."""
@@ -215,7 +222,7 @@ class Trial:
             beside = Motion(ask, exact[2], exact[3], clear) if exact[2:] else None
             self.references[key] = Motion(ask, exact[0], exact[1], clear, beside)
         try:
-            return float(law.residual(self.references[key])[0])
+            return float(_residual(law, self.references[key])[0])
         except InputError:
             return 1.0 if law is EXISTS else np.nan
 
