@@ -51,6 +51,9 @@ LOG_2_REST = complex(*parts(LOG_2_FRACTION - Fraction(LOG_2_FIRST), 2))
 # Beyond it exp overflows, below its negative exp is 0.
 MOST_EXPONENT = 750.0
 
+# Results of larger exponents are infinite, of smaller ones zero, for any float64 that is left to be scaled by them.
+MOST_SPLIT_EXPONENT = 5000.0
+
 # The reduced argument of exp is at most log(2)/2 < 0.35, and 0.35^n / n! < 2^-108 from n = 23 on; that of sine and
 # cosine is at most pi/4 < 0.79, and 0.79^n / n! < 2^-108 from n = 29 on. So these hold 1 / n!, n < 29.
 EXPONENTIAL_TERMS, TERMS = 23, 29
