@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+import numpy as np
+
 from affinecert.fast._kernel import Array
 
 Integers = Sequence[Sequence[int]]
@@ -15,6 +17,14 @@ def integers(matrix: Array) -> Integers:
     ratios = [[float(x).as_integer_ratio() for x in row] for row in matrix]
     unit = max(denominator for row in ratios for _, denominator in row)
     return [[numerator * (unit // denominator) for numerator, denominator in row] for row in ratios]
+
+
+def integers_of_sum(high: Array, low: Array) -> Integers:
+    """The sum of two matrices times the least power of two that makes them integer."""
+    rows = integers(np.concatenate([high, low]))
+    return [
+        [x + y for x, y in zip(*both, strict=True)] for both in zip(rows[: len(high)], rows[len(high) :], strict=True)
+    ]
 
 
 def cofactor(a: Integers, i: int, j: int) -> int:

@@ -5,14 +5,21 @@ Source: Culver 1966, as Rossignac and Vinacua state it in section 5.1.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
-from affinecert.fast._exact import Integers, adjugate, cofactor, determinant, integers, product
+import numpy as np
+from numpy.typing import NDArray
+
+from affinecert.fast._exact import Integers, adjugate, cofactor, determinant, integers, integers_of_sum, product
 from affinecert.fast._kernel import Array
-from affinecert.fast._spectrum import HALF_TURN, NONE, NOT_ORIENTED, PRIMARY
+from affinecert.fast._spectrum import HALF_TURN, NONE, NOT_ORIENTED, PRIMARY, VERGE
 
 START_NOT_ORIENTED = 5.0
 """Of a quotient C B^-1: the determinant of B is not positive."""
+
+UNTOLD = 2.0**-60
+"""Delta against m^2 below which a pair is as good as double in `parting_of_matrix`, yet far above what is doubtful."""
 
 
 def _discriminant(trace: int, minors: int, volume: int) -> int:
@@ -67,9 +74,19 @@ def kind_of_matrix(linear: Array) -> float:
     return _kind(integers(linear))
 
 
+def kind_of_sum(high: Array, low: Array) -> float:
+    """The same for the sum of two matrices."""
+    return _kind(integers_of_sum(high, low))
+
+
 def parting_of_matrix(linear: Array) -> float:
     """Delta / m^2 of a matrix whose pair of eigenvalues double-doubles cannot tell from a double one."""
     return _parting(integers(linear))
+
+
+def parting_of_sum(high: Array, low: Array) -> float:
+    """The same for the sum of two matrices."""
+    return _parting(integers_of_sum(high, low))
 
 
 def parting_of_quotient(start: Array, end: Array) -> float:
@@ -83,3 +100,11 @@ def kind_of_quotient(start: Array, end: Array) -> float:
     if determinant(divisor) <= 0:
         return START_NOT_ORIENTED
     return _kind(product(integers(end), adjugate(divisor)))
+
+
+def part(nodes: Array, doubtful: NDArray[np.bool_], parting: Callable[..., float], *matrices: Array) -> None:
+    """Sets delta of the negative pairs that only integers could tell from a double eigenvalue."""
+    for index in map(tuple, np.argwhere(doubtful & (nodes[..., 0, 0] < 0.0))):
+        ratio = parting(*(np.broadcast_to(matrix, doubtful.shape + matrix.shape[-2:])[index] for matrix in matrices))
+        if abs(ratio) < UNTOLD:
+            nodes[index][1] = min(ratio, -VERGE) * nodes[index][0, 0] ** 2, 0.0

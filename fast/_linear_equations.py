@@ -23,7 +23,7 @@ NO_EXPONENT = -9999
 
 
 @compiled
-def _exponents(matrix: Numbers, others: Exponents, of_columns: bool) -> Exponents:
+def exponents_of(matrix: Numbers, others: Exponents, of_columns: bool) -> Exponents:
     """The exponent of the largest entry of each row (or column), the columns (or rows) being divided by 2^others."""
     size = len(others)
     exponents = np.empty(size, dtype=np.int64)
@@ -72,10 +72,10 @@ def matrix_quotient(c: Numbers, b: Numbers, quotient: Array) -> tuple[int, float
     Writes zero if B is singular.
     """
     size = len(b)
-    rows = _exponents(b, np.zeros(size, dtype=np.int64), False)
-    columns = _exponents(b, rows, True)
+    rows = exponents_of(b, np.zeros(size, dtype=np.int64), False)
+    columns = exponents_of(b, rows, True)
     adjugate, determinant, sure = _adjugate(_divided(b, rows, columns))
-    tops = _exponents(c, columns, False)
+    tops = exponents_of(c, columns, False)
     numerator = _divided(c, tops, columns)
     singular = determinant.real == 0.0
     result = np.zeros((size, size), dtype=np.complex128)
@@ -99,8 +99,8 @@ def matrix_quotient(c: Numbers, b: Numbers, quotient: Array) -> tuple[int, float
 def solution(a: Numbers, b: Numbers, x: Array) -> bool:
     """Writes the solution of a x = b; false if the determinant may be zero."""
     size = len(b)
-    rows = _exponents(a, np.zeros(size, dtype=np.int64), False)
-    columns = _exponents(a, rows, True)
+    rows = exponents_of(a, np.zeros(size, dtype=np.int64), False)
+    columns = exponents_of(a, rows, True)
     adjugate, determinant, sure = _adjugate(_divided(a, rows, columns))
     for j in range(size):
         total = 0j

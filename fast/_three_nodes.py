@@ -58,15 +58,15 @@ EXPONENTIAL_TERMS = 18
 SEPARATED = 2.0**-4
 
 
-def _reciprocal(n: int) -> complex:
+def reciprocal(n: int) -> complex:
     """The fraction 1 / n as a double-double: the remainder of the rounded quotient is exact."""
     high = 1.0 / n
     numerator, denominator = high.as_integer_ratio()
     return complex(high, (denominator - n * numerator) / (n * denominator))
 
 
-ODD_RECIPROCALS = np.array([_reciprocal(2 * i + 1) for i in range(ATANH_TERMS)])
-FACTORIAL_RECIPROCALS = np.array([_reciprocal(math.factorial(k + 1)) for k in range(EXPONENTIAL_TERMS)])
+ODD_RECIPROCALS = np.array([reciprocal(2 * i + 1) for i in range(ATANH_TERMS)])
+FACTORIAL_RECIPROCALS = np.array([reciprocal(math.factorial(k + 1)) for k in range(EXPONENTIAL_TERMS)])
 
 
 @compiled

@@ -8,7 +8,6 @@ Source: Rossignac and Vinacua, "Steady affine motions and morphs", 2011.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -21,19 +20,17 @@ from affinecert.fast._existence import (
     START_NOT_ORIENTED,
     kind_of_matrix,
     kind_of_quotient,
+    part,
     parting_of_matrix,
     parting_of_quotient,
 )
 from affinecert.fast._growth import logarithms, powers
 from affinecert.fast._kernel import Array, checked
-from affinecert.fast._spectrum import NONE, NOT_ORIENTED, PRIMARY, UNDECIDED, VERGE
+from affinecert.fast._spectrum import NONE, NOT_ORIENTED, PRIMARY, UNDECIDED
 from affinecert.fast._stages import refuse, run, settle
 
 AFFINE, SIZES = ("n", "n"), (3, 4)
 """The shape of one homogeneous matrix, and what n may be."""
-
-UNTOLD = 2.0**-60
-"""Delta against m^2 below which a pair is as good as double in `parting_of_matrix`, yet far above what is doubtful."""
 
 DETERMINANT = "the determinant of the linear part is not positive"
 NO_FIXED_POINT = "degenerate: no unique fixed point, 1 is an eigenvalue of the linear part"
@@ -57,16 +54,8 @@ def _existence(affine: Array, linear: Array) -> tuple[Array, Array]:
     doubtful = existence == UNDECIDED
     settle(existence, UNDECIDED, kind_of_matrix, affine[..., :-1, :-1])
     refuse(existence, NOT_ORIENTED, "affine", DETERMINANT, existence.shape)
-    _part(nodes, doubtful & (existence == PRIMARY), parting_of_matrix, affine[..., :-1, :-1])
+    part(nodes, doubtful & (existence == PRIMARY), parting_of_matrix, affine[..., :-1, :-1])
     return nodes, existence
-
-
-def _part(nodes: Array, doubtful: NDArray[np.bool_], parting: Callable[..., float], *matrices: Array) -> None:
-    """Sets delta of the negative pairs that only integers could tell from a double eigenvalue."""
-    for index in map(tuple, np.argwhere(doubtful & (nodes[..., 0, 0] < 0.0))):
-        ratio = parting(*(np.broadcast_to(matrix, doubtful.shape + matrix.shape[-2:])[index] for matrix in matrices))
-        if abs(ratio) < UNTOLD:
-            nodes[index][1] = min(ratio, -VERGE) * nodes[index][0, 0] ** 2, 0.0
 
 
 def _logarithm(affine: Array) -> _Logarithm:
@@ -143,7 +132,7 @@ def morph(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
     refuse(existence, START_NOT_ORIENTED, "start", DETERMINANT, first.shape[:-2])
     refuse(existence, NOT_ORIENTED, "end", DETERMINANT, last.shape[:-2])
     refuse(existence, NONE, "end", NO_LOGARITHM, last.shape[:-2])
-    _part(nodes, doubtful & (existence == PRIMARY), parting_of_quotient, first[..., :-1, :-1], last[..., :-1, :-1])
+    part(nodes, doubtful & (existence == PRIMARY), parting_of_quotient, first[..., :-1, :-1], last[..., :-1, :-1])
     log, ratio, setting = run(logarithms, nodes, exponent, existence)
     return _move(_Logarithm(linear, exponent, existence, setting, log, ratio), first, last, time)
 
