@@ -35,6 +35,19 @@ def rotation(ctx: Context, name: str, matrix: Array, gram: Array) -> None:
         raise InputError(name, "not a rotation: R^T R is further than 1e-6 from I, or the determinant is negative")
 
 
+def similarity(ctx: Context, name: str, gram: Array, determinant: Number) -> None:
+    """Refuse a 3x3 matrix L, given by L^T L and det L, that is no positive multiple of a rotation.
+
+    It counts as one where, divided by the cube root of its determinant, it is one within `ROTATION_TOLERANCE`.
+    """
+    if determinant <= 0:
+        raise InputError(name, "not a similarity: the determinant is not positive")
+    square = ctx.cbrt(determinant) ** 2
+    defect = sum((gram[i, j] / square - (i == j)) ** 2 for i in range(3) for j in range(3))
+    if defect > ctx.mpf(ROTATION_TOLERANCE) ** 2:
+        raise InputError(name, "not a similarity: L^T L is further than 1e-6 from I, for L of determinant 1")
+
+
 def affine(ctx: Context, name: str, matrix: Array) -> None:
     """Refuse a homogeneous matrix that is no orientation-preserving affine map."""
     finite(ctx, name, matrix)
