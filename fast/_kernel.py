@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import getpass
 import hashlib
+import re
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -25,7 +26,10 @@ from affinecert.errors import InputError
 
 Array = NDArray[np.float64]
 Shape = tuple[int | str, ...]
-"""The shape of one item: sizes, and names of sizes such as ``"n"`` and ``"n-1"``."""
+"""The shape of one item: sizes, and names of sizes such as ``"n"``, ``"n-1"`` and ``"keys"``."""
+
+DIMENSIONS = ("n", "d")
+"""The names of sizes of homogeneous and of linear matrices."""
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -87,13 +91,13 @@ def resolve(spec: int | str, sizes: Mapping[str, int]) -> int | str:
     """A size of a shape as a number, or as it stands while its name is not settled."""
     if isinstance(spec, int):
         return spec
-    name, _, less = spec.partition("-")
-    return sizes[name] - int(less or 0) if name in sizes else spec
+    name = re.split("[+-]", spec)[0]
+    return sizes[name] + int(spec.removeprefix(name) or 0) if name in sizes else spec
 
 
 def _symbol(shape: Shape) -> str:
     """The shape in the notation of NumPy's generalised ufunc signatures."""
-    return "(" + ",".join(f"size_{spec}".replace("-", "_less_") for spec in shape) + ")"
+    return "(" + ",".join(f"size_{spec}".replace("-", "_less_").replace("+", "_more_") for spec in shape) + ")"
 
 
 def _first_false(good: NDArray[np.bool_]) -> tuple[int, ...]:
@@ -105,12 +109,12 @@ def _batch(name: str, shape: Shape, array: Array, sizes: dict[str, int], allowed
     count = len(shape)
     batch, item = array.shape[: max(array.ndim - count, 0)], array.shape[max(array.ndim - count, 0) :]
     for spec, size in zip(shape, item, strict=False):
-        if isinstance(spec, str) and spec.isidentifier() and size in allowed:
+        if isinstance(spec, str) and spec.isidentifier() and (size in allowed or spec not in DIMENSIONS):
             sizes.setdefault(spec, size)
     due = tuple(resolve(spec, sizes) for spec in shape)
     if item != due:
         told = ", ".join(["...", *map(str, due)])
-        where = f", n one of {allowed}" if any(isinstance(size, str) for size in due) else ""
+        where = f", n one of {allowed}" if any(str(size).partition("-")[0] in DIMENSIONS for size in due) else ""
         raise InputError(name, f"shape {array.shape} where ({told}) is due{where}")
     return batch
 
@@ -121,7 +125,7 @@ def checked(
     """The arguments as float64 arrays, their batch shapes, and the sizes that were named.
 
     InputError for a wrong shape or dtype, a number that is not finite, and batches that do not broadcast. ``allowed``
-    holds the values that a named size may take.
+    holds the values that n and d may take; any other name is a number of things.
     """
     arrays = [as_float64(name, value) for name, value in zip(inputs, arguments, strict=True)]
     sizes: dict[str, int] = {}
@@ -148,7 +152,7 @@ class Kernel:
     ``core(*inputs, *outputs, status)`` gets array views of one item (a scalar input by value; a scalar output, and the
     status, as arrays of one entry). It writes every output, and ``status[0]``: 0, or k to refuse the item for
     ``refusals[k - 1]``, a pair (argument, reason). The status may be left alone where there are no refusals.
-    ``sizes`` holds the values that a named size may take.
+    ``sizes`` holds the values that n and d may take; any other name is a number of things.
     """
 
     core: Callable[..., None]
