@@ -87,10 +87,10 @@ def smooth_motion(ctx: Context, poses: Array, t: Array) -> Array:
     """The motion e^c whose velocity and acceleration on the group are continuous, (keys, 4, 4), () -> (4, 4).
 
     At a junction from Y to X, logarithms of one pose, the curves c before it and phi(c) after it have the same
-    exponentials, phi taking a logarithm of a similarity next to Y to the one next to X (`_round`). So e^c is as smooth
-    as need be if the derivatives after the junction are those of phi(c). This is `motion` but for the first span after
-    each junction, where a quintic takes the place of the cubic: with the derivatives of phi(c) at its start, and the
-    same value and derivatives as the cubic at its end.
+    exponentials, phi taking a logarithm of a similarity next to Y to the one next to X (`_turned_back`). So e^c is as
+    smooth as need be if the derivatives after the junction are those of phi(c). This is `motion` but for the first span
+    after each junction, where a quintic takes the place of the cubic: with the derivatives of phi(c) at its start, and
+    the same value and derivatives as the cubic at its end.
     """
     return _moved(ctx, _chosen(ctx, poses), t, _smooth)
 
@@ -118,7 +118,7 @@ def _lengths(ctx: Context, points: Array, lengths: Array) -> tuple[int, ...]:
     _domain.finite(ctx, "points", points)
     _domain.finite(ctx, "lengths", lengths)
     numbers = tuple(map(int, lengths))
-    if any(number < 2 or number != length for number, length in zip(numbers, lengths, strict=True)):
+    if not numbers or any(n < 2 or n != length for n, length in zip(numbers, lengths, strict=True)):
         raise InputError("lengths", "not whole numbers from 2 on")
     if sum(numbers) != len(points):
         raise InputError("lengths", f"their sum is not the number of points, {len(points)}")
@@ -198,13 +198,13 @@ def _ways(ctx: Context, logs: Sequence[Array], slack: float) -> Iterator[list[_C
     for way in _ways(ctx, logs[:-1], slack):
         for log in _principal(ctx, logs[-1], slack):
             for jumps in _turns(ctx, log, way[-1].departure, slack):
-                yield [*way, _Choice(_round(ctx, [log])[0] if jumps else log, log, jumps)]
+                yield [*way, _Choice(_turned_back(ctx, [log])[0] if jumps else log, log, jumps)]
 
 
 def _principal(ctx: Context, log: Array, slack: float) -> list[Array]:
     """The principal logarithm, with the one across if its angle is pi to within ``slack``."""
     across = slack and norm(ctx, log[:3]) > ctx.pi - slack
-    return [log, _round(ctx, [log])[0]] if across else [log]
+    return [log, _turned_back(ctx, [log])[0]] if across else [log]
 
 
 def _turns(ctx: Context, log: Array, previous: Array, slack: float) -> list[bool]:
@@ -255,13 +255,13 @@ def _smooth(ctx: Context, points: Array, lengths: tuple[int, ...], t: Number) ->
     value: Array = _at(cubic, s)
     if span and span in np.cumsum(completed(lengths)) - np.arange(1, len(lengths) + 1):
         before = _polynomial(ctx, points, lengths, span - 1)
-        due = _round(ctx, [sum(before), before[1] + 2 * before[2] + 3 * before[3], before[2] + 3 * before[3]])
+        due = _turned_back(ctx, [sum(before), before[1] + 2 * before[2] + 3 * before[3], before[2] + 3 * before[3]])
         p, q = due[1] - cubic[1], due[2] - cubic[2]
         value = value + (p + (3 * p + q) * s) * (s * (1 - s) ** 3)
     return value
 
 
-def _round(ctx: Context, log: Taylor) -> list[Array]:
+def _turned_back(ctx: Context, log: Taylor) -> list[Array]:
     """The curve phi(c) of logarithms (omega, v, lambda) whose exponentials are those of c, one turn back; to any order.
 
     With n the axis and theta the angle of omega, the rotation vector is (theta - 2 pi) n. With Gamma = lambda I +
