@@ -10,7 +10,7 @@ import numpy as np
 
 from affinecert.catalogue.parts import LINEAR, TRANSLATION
 from affinecert.map import Array
-from affinecert.properties.inexact import CTX, Affine, Inexact, exact, norm
+from affinecert.properties.inexact import CTX, Affine, Inexact, determinant, exact, norm, real
 from affinecert.properties.law import BadAnswer
 
 
@@ -60,6 +60,19 @@ def near_rotation(matrix: Array) -> Answer:
     value = exact(matrix)
     defect = norm(value.T @ value - exact(np.eye(len(matrix))))
     return Answer(matrix, {"rotation": (..., defect / 2)})
+
+
+def near_similarity(pose: Array) -> Answer:
+    """A homogeneous matrix whose linear part L stands for the multiple of a rotation with its determinant.
+
+    That is |L^T L - s^2 I| / (2 s) away, to first order, s the cube root of the determinant.
+    """
+    value = exact(pose[LINEAR])
+    scale = CTX.cbrt(real(determinant(value)))
+    square = scale * scale
+    gram = value.T @ value
+    defect = CTX.norm([real(gram[i, j]) - (square if i == j else 0) for i, j in np.ndindex(3, 3)])
+    return Answer(pose, {"linear": (LINEAR, defect / (2 * scale)), "translation": (TRANSLATION, CTX.zero)})
 
 
 def near_rigid(pose: Array) -> Answer:

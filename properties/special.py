@@ -11,7 +11,7 @@ from hypothesis.strategies import SearchStrategy
 from affinecert.draw import Draw
 from affinecert.map import Array
 from affinecert.properties.strategies import drawn, poses, shears
-from affinecert.sampling import homogeneous, vector
+from affinecert.sampling import homogeneous, quarter_turns, vector
 
 CANONICAL = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 """The canonical tetrahedron of bansal_tatu, section 3, a vertex a row."""
@@ -78,6 +78,18 @@ def _frame(draw: Draw, size: int) -> Array:
 def with_frame(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
     """The arguments of a map, the first a homogeneous matrix, and a change of frame with few bits and det > 0."""
     return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _frame(draw, len(given[0]) - 1))))
+
+
+def _similarity(draw: Draw) -> Array:
+    turn = draw.choice(quarter_turns()) @ draw.choice(quarter_turns())
+    return homogeneous(
+        2.0 ** draw.choice(range(-3, 4)) * turn, np.array([float(draw.choice(range(-4, 5))) for _ in range(3)])
+    )
+
+
+def with_similarity(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
+    """The arguments of a map, and a similarity of space with few bits."""
+    return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _similarity(draw))))
 
 
 def _scaling(draw: Draw) -> float:

@@ -127,6 +127,16 @@ def of_the_cube(name: str) -> Break:
     return lambda maps: lambda element: maps[name](np.asarray(element * np.sum(element**2)))
 
 
+def without_junctions(maps: Maps) -> Function:
+    """The de Boor points of segments that do not know of each other."""
+
+    def de_boor(points: Array, lengths: Array) -> Array:
+        pieces = np.split(points, np.cumsum(lengths.astype(int))[:-1])
+        return np.concatenate([maps["splines.de_boor"](x, np.array([float(len(x))])) for x in pieces])
+
+    return de_boor
+
+
 def without_translation(maps: Maps) -> Function:
     """The velocity of the linear part alone."""
 
@@ -214,6 +224,12 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     ),
     "endpoints.sam.power": ("sam.power", in_time("sam.power", lambda t: t * (1 + 1e-12))),
     "fixed_point.sam": ("sam.fixed_point", scaled("sam.fixed_point", 1 + 1e-12)),
+    "splicing.equations": ("splines.de_boor", without_junctions),
+    "splicing.keys.motion": ("splines.motion", in_time("splines.motion", lambda t: t + 1e-9)),
+    "splicing.keys.smooth_motion": ("splines.smooth_motion", in_time("splines.smooth_motion", lambda t: t + 1e-9)),
+    "splicing.one_segment": ("splines.smooth_motion", in_time("splines.smooth_motion", lambda t: t + 1e-9)),
+    "reversibility.splines.evaluate": ("splines.evaluate", in_time("splines.evaluate", np.square)),
+    "equivariance.splines.motion": ("splines.motion", nudged("splines.motion", (0, -1), 1e-3)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
 }
 """For each law a map that it needs, and how it is broken."""

@@ -109,6 +109,12 @@ def _at_knots(draw: Draw, last: float) -> tuple[float, float]:
     return float(draw.choice(range(int(last) + 1))), 0.0
 
 
+def _behind_the_junction(draw: Draw, _: float) -> tuple[float, float]:
+    """A time on the span where a smooth motion differs from the printed one, of poses like `THROUGH_PI`."""
+    gap = draw.uniform(0.0, 1.0)
+    return 2.0 + gap, gap
+
+
 ABOUT_TIME: tuple[tuple[str, str, Time], ...] = (
     ("extrapolation", "distance of t from the knots", _beyond),
     ("near-knots", "distance of t from a knot", _near_knots),
@@ -175,7 +181,10 @@ MOTION_REGIMES = (
     *(_of_journeys(kind) for kind in JOURNEYS),
     *(
         _of_journeys(replace(THROUGH_PI, name=name, distance=distance, share=0.25), time)
-        for name, distance, time in ABOUT_TIME
+        for name, distance, time in (
+            *ABOUT_TIME,
+            ("behind-a-junction", "distance of t from the junction", _behind_the_junction),
+        )
     ),
     _of_journeys(OUTSIDE),
 )

@@ -15,6 +15,7 @@ from affinecert.properties.laws import (
     isometry,
     one_parameter,
     reversibility,
+    splicing,
     steadiness,
     volume_kept,
     volume_monotone,
@@ -35,4 +36,5 @@ LAWS: tuple[Law, ...] = (
     *equivariance.LAWS,
     *endpoints.LAWS,
     *fixed_point.LAWS,
+    *splicing.LAWS,
 )

@@ -1,10 +1,13 @@
-"""A steady affine motion does not depend on the frame in which it is written down."""
+"""A steady affine motion, or one by splines, does not depend on the frame in which it is written down."""
 
 from __future__ import annotations
 
+import numpy as np
+from hypothesis import strategies as st
+
 from affinecert.map import Array
 from affinecert.properties import special, strategies
-from affinecert.properties.answer import rounded_affine
+from affinecert.properties.answer import Answer, rounded_affine
 from affinecert.properties.answers import Maps, ask
 from affinecert.properties.culver import without_half_turns
 from affinecert.properties.inexact import affine, exact
@@ -28,6 +31,19 @@ def _affine_invariance(maps: Maps, start: Array, end: Array, time: Array, frame:
     return (change @ ask(maps, "sam.morph", start, end, time).affine).misfit(seen.affine)
 
 
+def _keys(maps: Maps, poses: Array, time: Array, frame: Array) -> float:
+    change = affine(frame)
+    back = change.inverse()
+    seen = [rounded_affine(change @ affine(pose) @ back) for pose in poses]
+    parts = {
+        f"{name} {key}": ((key, *where), error)
+        for key, pose in enumerate(seen)
+        for name, (where, error) in pose.parts.items()
+    }
+    answer = ask(maps, "splines.motion", Answer(np.stack([pose.array for pose in seen]), parts), time)
+    return (change @ ask(maps, "splines.motion", poses, time).affine @ back).misfit(answer.affine)
+
+
 LAWS = (
     Law(
         name="equivariance.sam.power",
@@ -47,5 +63,17 @@ LAWS = (
         needs=("sam.morph",),
         inputs=special.with_frame(strategies.inputs("sam.morph")),
         residual=_affine_invariance,
+    ),
+    Law(
+        name="equivariance.splines.motion",
+        statement="the motion through the poses P A_i P^-1 is P M P^-1, M the one through the A_i",
+        source="gallier, section 5: rotation vectors turn with P, and c with its adjoint map",
+        domain="every similarity P; poses A_i of which none is turned by pi, or has two rotation vectors equally near "
+        "to that of the one before; all real t",
+        needs=("splines.motion",),
+        inputs=special.with_similarity(
+            st.one_of([strategies.regime("splines.motion", name) for name in ("through-pi", "close-keys", "two-keys")])
+        ),
+        residual=_keys,
     ),
 )

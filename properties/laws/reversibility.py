@@ -60,6 +60,15 @@ def _morphs(maps: Maps, start: Array, end: Array, time: Array) -> float:
     return there.affine.misfit(back.affine)
 
 
+def _splines(maps: Maps, points: Array, lengths: Array, time: Array) -> float:
+    last = float(np.sum(np.maximum(lengths, 3.0) - 1.0))
+    back = np.asarray(last - time)
+    if not (time % 1.0 and back % 1.0):
+        raise OutOfDomain("a knot, where the value of the other segment may count")
+    there = ask(maps, "splines.evaluate", points, lengths, time)
+    return there["point"].misfit(ask(maps, "splines.evaluate", points[::-1], lengths[::-1], back)["point"])
+
+
 def _law(name: str, source: str, domain: str, residual: Callable[..., float]) -> Law:
     return Law(
         name=f"reversibility.{name}",
@@ -86,5 +95,14 @@ LAWS = (
         "rossignac_vinacua, section 2.3 (3)",
         "C B^-1 with a real logarithm and no negative eigenvalue; at a double one the law is false as above",
         _morphs,
+    ),
+    Law(
+        name="reversibility.splines.evaluate",
+        statement="the spliced spline through the points in reverse at T - t is the one through the points at t",
+        source="gallier, section 8: its conditions are the same in both directions",
+        domain="segments of two points or more; all real t but whole numbers: at a junction the later segment counts",
+        needs=("splines.evaluate",),
+        inputs=strategies.inputs("splines.evaluate"),
+        residual=_splines,
     ),
 )
