@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from affinecert.errors import InputError
 from affinecert.fast._kernel import Array, Kernel, resolve
@@ -41,3 +42,8 @@ def refuse(answers: Array, answer: float, argument: str, reason: str, batch: tup
         index = found[0][answers.ndim - len(batch) :]
         own = tuple(int(i) if size > 1 else 0 for i, size in zip(index, batch, strict=True))
         raise InputError(argument, reason, own)
+
+
+def require(argument: str, good: NDArray[np.bool_], reason: str) -> None:
+    """Raises InputError for the first item of an argument's batch that is not good."""
+    refuse(good.astype(np.float64), 0.0, argument, reason, good.shape)

@@ -16,7 +16,7 @@ from affinecert.fast import _elementary
 from affinecert.fast import _wide as wide
 from affinecert.fast._kernel import Array
 from affinecert.fast._rotation import ORTHOGONALITY
-from affinecert.fast._stages import refuse
+from affinecert.fast._stages import require
 from affinecert.fast._wide_rotation import TWO_PI, orthogonalised, rotation, rotation_vector
 
 Complex = tuple[Array, Array]
@@ -64,6 +64,10 @@ def _total(first: Array, *others: Array) -> Array:
 def _complex_product(x: Complex, y: Complex) -> Complex:
     real = wide.subtract(wide.multiply(x[0], y[0]), wide.multiply(x[1], y[1]))
     return real, wide.add(wide.multiply(x[0], y[1]), wide.multiply(x[1], y[0]))
+
+
+def _by_i(x: Complex) -> Complex:
+    return -x[1], x[0]
 
 
 def _complex_inverse(x: Complex) -> Complex:
@@ -116,15 +120,16 @@ def logarithms(argument: str, poses: Array) -> Array:
     3 lambda is the logarithm of the determinant, omega the rotation vector of the nearest rotation. Raises InputError
     for the first item (...) with a pose that is no similarity.
     """
-    _require(argument, (poses[..., 3, :] == np.array([0.0, 0.0, 0.0, 1.0])).all(axis=-1), LAST_ROW)
+    require(argument, (poses[..., 3, :] == np.array([0.0, 0.0, 0.0, 1.0])).all(axis=(-2, -1)), LAST_ROW)
     exponent = np.frexp(np.abs(poses[..., :3, :3]).max(axis=(-2, -1)))[1]
     linear = wide.widen(np.ldexp(poses[..., :3, :3], -exponent[..., None, None]))
     volume = dot(linear[..., 0, :, :], cross(linear[..., 1, :, :], linear[..., 2, :, :]))
-    _require(argument, volume[..., 0] > 0.0, NOT_POSITIVE)
+    require(argument, (volume[..., 0] > 0.0).all(axis=-1), NOT_POSITIVE)
     third = wide.divide(wide.logarithm(volume), THREE)
     turned = wide.divide(linear, wide.exponential(third)[..., None, None, :])
     defect = wide.product(wide.transposed(turned), turned)[..., 0] - np.eye(3)
-    _require(argument, (defect * defect).sum(axis=(-2, -1)) <= ORTHOGONALITY**2, NOT_SIMILAR)
+    similar = (defect * defect).sum(axis=(-2, -1)) <= ORTHOGONALITY**2
+    require(argument, np.asarray(similar.all(axis=-1)), NOT_SIMILAR)
     omega = rotation_vector(orthogonalised(turned))
     growth = wide.add(third, wide.times(LOG_2, exponent.astype(np.float64)))
     still = np.concatenate([omega, wide.widen(poses[..., :3, 3]), growth[..., None, :]], axis=-2)
@@ -132,12 +137,6 @@ def logarithms(argument: str, poses: Array) -> Array:
     along, _ = _complex_inverse(_phi(growth, np.zeros_like(growth)))
     still[..., 3:6, :] = _moved(still, along, _complex_inverse(_phi(growth, angle)))
     return still
-
-
-def _require(argument: str, good: Array, reason: str) -> None:
-    """Raises InputError for the first item with a key (..., keys) that is not good."""
-    items = good.all(axis=-1)
-    refuse(items, False, argument, reason, items.shape)
 
 
 def _products(f: Jet, g: Jet, multiply: Callable[[Array, Array], Array] = wide.multiply) -> list[Array]:
@@ -165,13 +164,10 @@ def turned_back_curve(tangents: Jet) -> list[Array]:
     n, angle = _polar(omega)
     w = _complex_inverse((angle[0], -growth[0]))
     square, rate = _complex_product(w, w), (growth[1], angle[1])
-    first = _complex_product(square, rate)
-    first = -first[1], first[0]
-    second = _complex_product(_complex_product(w, first), rate)
-    second = tuple(
-        wide.add(2.0 * x, y) for x, y in zip(second, _complex_product(square, (growth[2], angle[2])), strict=True)
-    )
-    second = -second[1], second[0]
+    first = _by_i(_complex_product(square, rate))
+    bend = _complex_product(square, (growth[2], angle[2]))
+    twice = _complex_product(_complex_product(w, first), rate)
+    second = _by_i((wide.add(2.0 * twice[0], bend[0]), wide.add(2.0 * twice[1], bend[1])))
     real, imaginary = zip(w, first, second, strict=True)
     part = _products(_products(n, v, dot), n, multiple)
     across = [wide.subtract(x, y) for x, y in zip(v, part, strict=True)]

@@ -18,9 +18,9 @@ from numpy.typing import ArrayLike
 
 from affinecert.errors import InputError
 from affinecert.fast import _wide as wide
-from affinecert.fast._kernel import Array, checked
+from affinecert.fast._kernel import Array, Shape, checked
 from affinecert.fast._splicing import Cubic, Legs, Mask, Place, cubic_at, halves, kept, pick, place, spliced
-from affinecert.fast._stages import refuse
+from affinecert.fast._stages import require
 from affinecert.fast._wide_rotation import PI, ROUNDING
 from affinecert.fast._wide_similarity import (
     axis_angle,
@@ -32,9 +32,9 @@ from affinecert.fast._wide_similarity import (
     turned_back_curve,
 )
 
-POINTS = {"points": ("points", "dims"), "lengths": ("segments",)}
-POSES = {"poses": ("keys", 4, 4)}
-TIME = {"t": ()}
+POINTS: dict[str, Shape] = {"points": ("points", "dims"), "lengths": ("segments",)}
+POSES: dict[str, Shape] = {"poses": ("keys", 4, 4)}
+TIME: dict[str, Shape] = {"t": ()}
 
 THREE = np.array([3.0, 0.0])
 
@@ -162,10 +162,10 @@ def principal_motion(poses: ArrayLike, t: ArrayLike) -> Array:
 
 def _legs(points: Array, lengths: Array) -> Legs:
     """The legs between the points of segments; refuses bad lengths."""
-    count, segments, batch = points.shape[-2], lengths.shape[-1], lengths.shape[:-1]
+    count, segments = points.shape[-2], lengths.shape[-1]
     whole = ((lengths >= 2.0) & (lengths == np.rint(lengths))).all(axis=-1) & (segments > 0)
-    refuse(whole, False, "lengths", NO_LENGTHS, batch)
-    refuse(lengths.sum(axis=-1) == count, False, "lengths", OTHER_SUM, batch)
+    require("lengths", whole, NO_LENGTHS)
+    require("lengths", lengths.sum(axis=-1) == count, OTHER_SUM)
     ends = np.cumsum(lengths, axis=-1)[..., None] - 1.0
     last = (ends == np.arange(count)).any(axis=-2)
     first = np.concatenate([np.ones_like(last[..., :1]), last[..., :-1]], axis=-1)
@@ -178,7 +178,7 @@ def _in_order(rows: Array, keep: Mask, least: int, behind: int) -> Array:
     """The rows to be kept of all legs, (..., legs, rows) with some axes behind: at least so many in each item."""
     counts = keep.sum(axis=(-2, -1))
     count = int(counts.max(initial=least))
-    refuse(counts == count, False, "lengths", RAGGED, counts.shape)
+    require("lengths", counts == count, RAGGED)
     axis = rows.ndim - behind - 2
     flat = rows.reshape(*rows.shape[:axis], rows.shape[axis] * rows.shape[axis + 1], *rows.shape[axis + 2 :])
     return kept(flat, keep.reshape(*keep.shape[:-2], keep.shape[-2] * keep.shape[-1]), count, behind)

@@ -62,20 +62,24 @@ def _spans(d: Rows, x: Rows) -> list[Span]:
 
 def _velocity_at_end(span: Span) -> Rows:
     """The derivative at the end of a span, over 3."""
-    return span[3] - span[2]
+    velocity: Rows = span[3] - span[2]
+    return velocity
 
 
 def _velocity_at_start(span: Span) -> Rows:
-    return span[1] - span[0]
+    velocity: Rows = span[1] - span[0]
+    return velocity
 
 
 def _acceleration_at_end(span: Span) -> Rows:
     """The second derivative at the end of a span, over 6."""
-    return span[1] - 2 * span[2] + span[3]
+    acceleration: Rows = span[1] - 2 * span[2] + span[3]
+    return acceleration
 
 
 def _acceleration_at_start(span: Span) -> Rows:
-    return span[0] - 2 * span[1] + span[2]
+    acceleration: Rows = span[0] - 2 * span[1] + span[2]
+    return acceleration
 
 
 def _segments(lengths: Sequence[int], rows: Rows) -> list[Rows]:

@@ -272,7 +272,8 @@ def test_the_choice_is_that_of_sim3() -> None:
         for before, there in itertools.pairwise(poses):
             start = sim3.log(CTX, before)
             due += [start, sim3.log_next(CTX, there, start)]
-        chosen, ends = [], np.cumsum([int(n) for n in lengths])
+        chosen: list[Numbers] = []
+        ends = np.cumsum([int(n) for n in lengths])
         for end, length in zip(ends, lengths, strict=True):
             for leg in itertools.pairwise(points[end - int(length) : end]):
                 chosen += leg
@@ -304,13 +305,13 @@ def one_sided(motion: Motion, poses: Numbers, time: Any, side: int) -> tuple[Num
     return values[0], first, second
 
 
-def jumps(motion: Motion, poses: Numbers) -> list[tuple[float, float, float]]:
+def jumps(motion: Motion, poses: Numbers) -> list[list[float]]:
     """The jumps of a motion, its velocity and its acceleration at its junctions, relative to their size."""
     _, lengths = splines.select_logarithms(CTX, poses)
     found = []
     for time in np.cumsum([max(int(n), 3) - 1 for n in lengths])[:-1]:
         sides = (one_sided(motion, poses, CTX.mpf(int(time)), side) for side in (-1, 1))
-        found.append(tuple(float(norm(CTX, (a - b).flat) / norm(CTX, a.flat)) for a, b in zip(*sides, strict=True)))
+        found.append([float(norm(CTX, (a - b).flat) / norm(CTX, a.flat)) for a, b in zip(*sides, strict=True)])
     return found
 
 
