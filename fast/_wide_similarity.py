@@ -120,11 +120,12 @@ def logarithms(argument: str, poses: Array) -> Array:
     3 lambda is the logarithm of the determinant, omega the rotation vector of the nearest rotation. Raises InputError
     for the first item (...) with a pose that is no similarity.
     """
-    require(argument, (poses[..., 3, :] == np.array([0.0, 0.0, 0.0, 1.0])).all(axis=(-2, -1)), LAST_ROW)
+    last_row = (poses[..., 3, :] == np.array([0.0, 0.0, 0.0, 1.0])).all(axis=(-2, -1))
+    require(argument, np.asarray(last_row), LAST_ROW)
     exponent = np.frexp(np.abs(poses[..., :3, :3]).max(axis=(-2, -1)))[1]
     linear = wide.widen(np.ldexp(poses[..., :3, :3], -exponent[..., None, None]))
     volume = dot(linear[..., 0, :, :], cross(linear[..., 1, :, :], linear[..., 2, :, :]))
-    require(argument, (volume[..., 0] > 0.0).all(axis=-1), NOT_POSITIVE)
+    require(argument, np.asarray((volume[..., 0] > 0.0).all(axis=-1)), NOT_POSITIVE)
     third = wide.divide(wide.logarithm(volume), THREE)
     turned = wide.divide(linear, wide.exponential(third)[..., None, None, :])
     defect = wide.product(wide.transposed(turned), turned)[..., 0] - np.eye(3)

@@ -72,7 +72,7 @@ LAWS = (
         "to that of the one before; all real t",
         needs=("splines.motion",),
         inputs=special.with_similarity(
-            st.one_of([strategies.regime("splines.motion", name) for name in ("through-pi", "close-keys", "two-keys")])
+            st.one_of([strategies.regime("splines.motion", name) for name in ("through-pi", "two-keys")])
         ),
         residual=_keys,
     ),
