@@ -81,12 +81,18 @@ def _phi(growth: Array, angle: Array) -> Complex:
     scale, (sine, cosine) = wide.exponential(growth), wide.sine_cosine(angle)
     grown = wide.subtract(wide.multiply(scale, cosine), ONE), wide.multiply(scale, sine)
     real, imaginary = _complex_product(grown, _complex_inverse(z))
-    series = np.broadcast_to(COEFFICIENTS[-1], real.shape), np.zeros_like(real)
-    for coefficient in reversed(COEFFICIENTS[:-1]):
-        series = _complex_product(series, z)
-        series = wide.add(series[0], coefficient), series[1]
-    small = (np.hypot(growth[..., 0], angle[..., 0]) < SMALL)[..., None]
-    return np.where(small, series[0], real), np.where(small, series[1], imaginary)
+    small = np.hypot(growth[..., 0], angle[..., 0]) < SMALL
+    if small.any():
+        real[small], imaginary[small] = _phi_series((growth[small], angle[small]))
+    return real, imaginary
+
+
+def _phi_series(z: Complex) -> Complex:
+    series = wide.add(wide.multiply(z[0], COEFFICIENTS[-1]), COEFFICIENTS[-2]), wide.multiply(z[1], COEFFICIENTS[-1])
+    for coefficient in reversed(COEFFICIENTS[:-2]):
+        product = _complex_product(series, z)
+        series = wide.add(product[0], coefficient), product[1]
+    return series
 
 
 def axis_angle(omega: Array) -> tuple[Array, Array]:

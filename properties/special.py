@@ -80,16 +80,14 @@ def with_frame(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[t
     return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _frame(draw, len(given[0]) - 1))))
 
 
-def _similarity(draw: Draw) -> Array:
+def _turn_of_axes(draw: Draw) -> Array:
     turn = draw.choice(quarter_turns()) @ draw.choice(quarter_turns())
-    return homogeneous(
-        2.0 ** draw.choice(range(-3, 4)) * turn, np.array([float(draw.choice(range(-4, 5))) for _ in range(3)])
-    )
+    return homogeneous(2.0 ** draw.choice(range(-3, 4)) * turn, np.zeros(3))
 
 
-def with_similarity(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
-    """The arguments of a map, and a similarity of space with few bits."""
-    return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _similarity(draw))))
+def with_turn(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
+    """The arguments of a map, and a similarity that takes the coordinate axes to each other and scales by 2^k."""
+    return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _turn_of_axes(draw))))
 
 
 def _scaling(draw: Draw) -> float:

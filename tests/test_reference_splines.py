@@ -355,7 +355,7 @@ def test_the_printed_screw_motion_is_smooth() -> None:
 
 
 def test_the_smooth_motion_is_twice_continuously_differentiable() -> None:
-    crossing = journeys("through-pi", "round-and-round", count=2)
+    crossing = journeys("through-pi", "round-and-round", count=3)
     found = [jump for poses in (FOUR, *crossing) for jump in jumps(splines.smooth_motion, poses)]
     assert len(found) >= 6
     assert max(map(max, found)) < 1e-30

@@ -38,7 +38,7 @@ class Journeys:
     name: str
     distance: str
     build: Callable[[Draw], Journey]
-    share: float = 0.25
+    share: float = 0.2
 
 
 NO_TURN = Turn(np.zeros(3), np.zeros(3), np.eye(3), 0.0)
@@ -94,7 +94,7 @@ def _through_pi(draw: Draw) -> Journey:
 def _round_and_round(draw: Draw) -> Journey:
     axis, wobble = draw.direction(3), draw.exponent(-3, -0.5)
     step = draw.choice((1.0, -1.0)) * draw.uniform(1.9, 2.3)
-    return _journey(draw, [turns.about(_wobbling(draw, axis, wobble), step * k, wobble) for k in range(8)], wobble)
+    return _journey(draw, [turns.about(_wobbling(draw, axis, wobble), step * k, wobble) for k in range(6)], wobble)
 
 
 def _near_pi(draw: Draw) -> Journey:
@@ -125,7 +125,7 @@ def _close(draw: Draw) -> Journey:
     """Each pose next to the one before."""
     step = draw.exponent(-15, -1)
     poses = [_placed(draw, _any(draw).matrix)]
-    for _ in range(3):
+    for _ in range(2):
         turn = turns.about(draw.direction(3), step, step)
         poses.append(poses[-1] @ homogeneous((1 + step) * turn.matrix, step * draw.direction(3)))
     return _of(np.stack(poses), step)
@@ -173,21 +173,27 @@ def _outside(draw: Draw) -> Journey:
     return _of(journey.poses, error)
 
 
-GENERIC = Journeys("generic", "largest angle", _generic(4), share=0.4)
-THROUGH_PI = Journeys("through-pi", "distance of the axes", _through_pi, share=0.4)
+GENERIC = Journeys("generic", "largest angle", _generic(4), share=0.3)
+THROUGH_PI = Journeys("through-pi", "distance of the axes", _through_pi, share=0.3)
 
-JOURNEYS = (
+CROSSINGS = (
     GENERIC,
-    Journeys("two-keys", "largest angle", _generic(2)),
     THROUGH_PI,
     Journeys("round-and-round", "distance of the axes", _round_and_round, share=0.1),
     Journeys("near-pi", "|pi - angle|", _near_pi),
     Journeys("near-2pi", "2 pi - angle", _near_two_pi),
     Journeys("half-turns", "none", _half_turns),
+    Journeys("off-manifold", "distance from the similarities", _off_manifold),
+)
+"""Poses between which the rotation may pass through pi."""
+
+JOURNEYS = (
+    *CROSSINGS,
+    Journeys("two-keys", "largest angle", _generic(2)),
     Journeys("close-keys", "size of the steps", _close),
     Journeys("near-identity", "largest angle", _near_identity),
     Journeys("equal-keys", "none", _equal),
     Journeys("large-scales", "scale", _large_scales),
-    Journeys("off-manifold", "distance from the similarities", _off_manifold),
 )
+
 OUTSIDE = Journeys("outside", "stretch, or error of the last row", _outside)

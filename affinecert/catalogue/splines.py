@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from affinecert.catalogue.journeys import JOURNEYS, OUTSIDE, THROUGH_PI, Journeys
+from affinecert.catalogue.journeys import CROSSINGS, JOURNEYS, OUTSIDE, THROUGH_PI, Journeys
 from affinecert.catalogue.parts import ENTRIES, LINEAR_BLOCKS, TIME, WHOLE
 from affinecert.draw import Draw
 from affinecert.map import Argument, Array, Block, Group, Map, Point, Regime
@@ -179,21 +179,18 @@ POSES_DOMAIN = (
 
 MOTION_REMARK = (
     "Every entry of every pose is perturbed by a fraction of itself. Where two rotation vectors are equally near, or a "
-    "pose is a half turn, the choice of logarithms jumps; the condition is that of the choice taken. fast errs by less "
-    "than one unit in the last place for scales and translations between 1e-40 and 1e40."
+    "pose is a half turn, the choice of logarithms jumps; the condition is that of the choice taken. At a junction the "
+    "printed motion is not differentiable; the condition is that of times behind it."
 )
 
-MOTION_REGIMES = (
-    *(_of_journeys(kind) for kind in JOURNEYS),
-    *(
-        _of_journeys(replace(THROUGH_PI, name=name, distance=distance, share=0.25), time)
-        for name, distance, time in (
-            *ABOUT_TIME,
-            ("behind-a-junction", "distance of t from the junction", _behind_the_junction),
-        )
-    ),
-    _of_journeys(OUTSIDE),
+ABOUT_JUNCTIONS = tuple(
+    _of_journeys(replace(THROUGH_PI, name=name, distance=distance, share=0.2), time)
+    for name, distance, time in (
+        *ABOUT_TIME,
+        ("behind-a-junction", "distance of t from the junction", _behind_the_junction),
+    )
 )
+OUTSIDE_REGIME = _of_journeys(OUTSIDE)
 
 MAPS = (
     Map(
@@ -239,7 +236,7 @@ MAPS = (
         arguments=(POSES, TIME),
         outputs=((4, 4),),
         blocks=LINEAR_BLOCKS,
-        regimes=MOTION_REGIMES,
+        regimes=(*(_of_journeys(kind) for kind in JOURNEYS), *ABOUT_JUNCTIONS, OUTSIDE_REGIME),
         reference=reference.motion,
         continuation=reference.continue_motion,
         accuracy=8.0,
@@ -255,7 +252,7 @@ MAPS = (
         arguments=(POSES, TIME),
         outputs=((4, 4),),
         blocks=LINEAR_BLOCKS,
-        regimes=MOTION_REGIMES,
+        regimes=(*(_of_journeys(kind) for kind in CROSSINGS), *ABOUT_JUNCTIONS, OUTSIDE_REGIME),
         reference=reference.smooth_motion,
         continuation=reference.continue_smooth_motion,
         accuracy=8.0,
