@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from affinecert.fast._compensated import (
     Pair,
     Vector,
     dot,
+    dot_plain,
     fma,
     quick_two_sum,
     quotient,
@@ -33,6 +36,9 @@ ORTHOGONALITY = 1e-6
 
 # A quaternion's scalar part this small against its vector part is computed afresh, so that its sign is right.
 NEARLY_PI = 2.0**-40
+
+# pi is the sum of these two within 2^-106 of itself.
+PI, PI_LOW = math.pi, 1.2246467991473532e-16
 
 # Below this squared tangent of the half angle, r^4/5 of atan(r)/r = 1 - r^2/3 + r^4/5 - ... is under 2^-56.
 SMALL_TANGENT_SQUARE = 2.0**-27
@@ -113,14 +119,15 @@ def determinant(m: Matrix) -> float:
 
 
 @compiled
-def tangent_of_half(m: Matrix, excess: float) -> tuple[Pair, Pair, Pair]:
+def tangent_of_half(m: Matrix, total: Pair) -> tuple[Pair, Pair, Pair]:
     """The vector part over the scalar part of the quaternion of the rotation nearest to M, each entry a pair.
 
-    3 + ``excess`` is lambda, the nuclear norm of M. The quaternion (w, x) of the nearest rotation is the top
-    eigenvector, to the eigenvalue lambda, of Davenport's matrix [[tr, z^T], [z, M + M^T - tr I]], where tr is the trace
-    of M and z its skew part doubled (Davenport 1968). The lower rows say B p = z for p = x / w, where
-    B = (lambda + tr) I - M - M^T. Solved in double, then once more for the compensated residual. For |w| >= 1/2, B is
-    well-conditioned; and z is a single difference of entries, so that p keeps its relative accuracy near 0.
+    ``total`` is lambda, the nuclear norm of M, a multiple of a rotation but for rounding. The quaternion (w, x) of the
+    nearest rotation is the top eigenvector, to the eigenvalue lambda, of Davenport's matrix [[tr, z^T], [z, M + M^T -
+    tr I]], where tr is the trace of M and z its skew part doubled (Davenport 1968). The lower rows say B p = z for
+    p = x / w, where B = (lambda + tr) I - M - M^T. Solved in double, then once more for the compensated residual. For
+    |w| >= 1/2, B is well-conditioned; and z is a single difference of entries, so that p keeps its relative accuracy
+    near 0.
     """
     (m11, m12, m13), (m21, m22, m23), (m31, m32, m33) = m
     # z, the sums of opposite entries, and the diagonal of B, as pairs.
@@ -130,9 +137,9 @@ def tangent_of_half(m: Matrix, excess: float) -> tuple[Pair, Pair, Pair]:
     s1, s1_low = two_sum(m32, m23)
     s2, s2_low = two_sum(m13, m31)
     s3, s3_low = two_sum(m21, m12)
-    b1, b1_low = diagonal(m22, m33, m11, excess)
-    b2, b2_low = diagonal(m33, m11, m22, excess)
-    b3, b3_low = diagonal(m11, m22, m33, excess)
+    b1, b1_low = diagonal(m22, m33, m11, total)
+    b2, b2_low = diagonal(m33, m11, m22, total)
+    b3, b3_low = diagonal(m11, m22, m33, total)
     # The inverse of B = [[b1, -s3, -s2], [-s3, b2, -s1], [-s2, -s1, b3]], by cofactors.
     c11, c22, c33 = b2 * b3 - s1 * s1, b1 * b3 - s2 * s2, b1 * b2 - s3 * s3
     c12, c13, c23 = s1 * s2 + s3 * b3, s1 * s3 + s2 * b2, s2 * s3 + s1 * b1
@@ -151,12 +158,12 @@ def tangent_of_half(m: Matrix, excess: float) -> tuple[Pair, Pair, Pair]:
 
 
 @compiled
-def diagonal(added: float, too: float, less: float, excess: float) -> Pair:
-    """The sum 3 + excess + added + too - less, as a pair."""
+def diagonal(added: float, too: float, less: float, total: Pair) -> Pair:
+    """The sum total + added + too - less, as a pair."""
     first, first_low = two_sum(added, too)
     second, second_low = two_sum(first, -less)
-    third, third_low = two_sum(3.0, second)
-    return quick_two_sum(third, third_low + second_low + first_low + excess)
+    third, third_low = two_sum(total[0], second)
+    return quick_two_sum(third, third_low + second_low + first_low + total[1])
 
 
 @compiled
@@ -169,10 +176,9 @@ def residual(z: float, z_low: float, row: Vector, row_low: Vector, p: Vector) ->
 
 @compiled
 def nearest_quaternion(m: Matrix) -> tuple[int, Pair, Pair, Pair, Pair]:
-    """A status, and the quaternion (w, x, y, z), w >= 0, along the rotation nearest to M; not normalised.
+    """A status, and the quaternion (w, x, y, z), w >= 0, along the rotation nearest to M, as `quaternion_along` has it.
 
-    The status is 1 where M is not orthogonal enough, 2 where it is a reflection. At angle pi exactly (w = 0) the first
-    entry of (x, y, z) that is not 0 is positive.
+    The status is 1 where M is not orthogonal enough, 2 where it is a reflection.
     """
     trace_excess, distance = defect(m)
     nothing = (0.0, 0.0)
@@ -182,6 +188,17 @@ def nearest_quaternion(m: Matrix) -> tuple[int, Pair, Pair, Pair, Pair]:
         return 2, nothing, nothing, nothing, nothing
     # The nuclear norm, sum of sqrt(1 + e) over the eigenvalues e of M^T M - I; the next term is under 1e-18 / 16.
     excess = 0.5 * trace_excess - 0.125 * distance
+    w, x, y, z = quaternion_along(m, (3.0, excess))
+    return 0, w, x, y, z
+
+
+@compiled
+def quaternion_along(m: Matrix, total: Pair) -> tuple[Pair, Pair, Pair, Pair]:
+    """The quaternion (w, x, y, z), w >= 0, along the rotation nearest to M, whose nuclear norm is ``total``.
+
+    It is not normalised; M is a multiple of a rotation but for rounding, and of size 1. At angle pi exactly (w = 0) the
+    first entry of (x, y, z) that is not 0 is positive.
+    """
     (m11, m12, m13), (m21, m22, m23), (m31, m32, m33) = m
     # The largest of 4 w^2, 4 x^2, 4 y^2, 4 z^2 is 1 more than the largest of these traces. To make its root the scalar
     # part, turn by pi about that axis first, that is, change the sign of two columns.
@@ -194,9 +211,9 @@ def nearest_quaternion(m: Matrix) -> tuple[int, Pair, Pair, Pair, Pair]:
     g = 1.0 if pivot in (0, 2) else -1.0
     h = f * g
     turned = (f * m11, g * m12, h * m13), (f * m21, g * m22, h * m23), (f * m31, g * m32, h * m33)
-    p, q, r = tangent_of_half(turned, excess)
+    p, q, r = tangent_of_half(turned, total)
     if pivot == 0:
-        return 0, (1.0, 0.0), p, q, r
+        return (1.0, 0.0), p, q, r
     if pivot == 1:
         w, x, y, z = negative(p), (1.0, 0.0), r, negative(q)
     elif pivot == 2:
@@ -213,12 +230,12 @@ def nearest_quaternion(m: Matrix) -> tuple[int, Pair, Pair, Pair, Pair]:
             2.0**512 * (m21 - m12),
         )
         sign = dot(skew, (x[0], y[0], z[0]))[0]
-        w = (sign * 2.0**-512 / (3.0 - t0), 0.0)
+        w = (sign * 2.0**-512 / (total[0] - t0), 0.0)
         if sign == 0.0:
             sign = x[0] if x[0] != 0.0 else y[0] if y[0] != 0.0 else z[0]
     if sign < 0.0:
-        return 0, negative(w), negative(x), negative(y), negative(z)
-    return 0, w, x, y, z
+        return negative(w), negative(x), negative(y), negative(z)
+    return w, x, y, z
 
 
 @compiled
@@ -243,3 +260,36 @@ def angle_over_sine(w: Pair, x: Pair, y: Pair, z: Pair) -> tuple[Pair, Pair]:
     half = math.atan2(root, w[0])
     half_low = (w[0] * root_low - root * w[1]) / fma(w[0], w[0], s)
     return quotient(half, half_low, root, root_low), (s, s_low)
+
+
+@compiled
+def nearest_turns(
+    w: float, vector: Vector, near: Vector, least: float, most: float
+) -> tuple[Vector, float, float, float]:
+    """Of the rotation vectors of the quaternion (w, vector), w >= 0, the one nearest to ``near``.
+
+    Told as (axis, length, angle, turns): it is the axis times angle over length, and from ``least`` to ``most`` whole
+    turns away from the principal one, whose angle is not told. Where there is no rotation the axis is that of ``near``.
+    """
+    x, y, z = vector
+    size = max(abs(x), abs(y), abs(z))
+    if size == 0.0:
+        # No rotation at all: whole turns about any axis, so about that of ``near``.
+        largest = max(abs(near[0]), abs(near[1]), abs(near[2]))
+        over = 1.0 / largest if largest > 0.0 else 0.0
+        axis = near[0] * over, near[1] * over, near[2] * over
+        length = math.sqrt(dot_plain(axis, axis))
+        turns = min(max(np.rint(largest * (length / (2.0 * PI))), least), most)
+        return axis, length, 2.0 * PI * turns, turns
+    # In units of a power of 2 near its size, so that its square does not underflow.
+    exponent = -math.frexp(size)[1]
+    axis = math.ldexp(x, exponent), math.ldexp(y, exponent), math.ldexp(z, exponent)
+    length = math.sqrt(dot_plain(axis, axis))
+    if least == most == 0.0:
+        return axis, length, 0.0, 0.0
+    short_of_pi = 2.0 * math.atan2(w, math.ldexp(length, -exponent))
+    along = dot(near, axis)[0] / length
+    # Halfway between theta + 2 pi (k - 1) and theta + 2 pi k lies 2 pi k - (pi - theta).
+    turns = min(max(np.floor((along + short_of_pi) / (2.0 * PI)), least), most)
+    odd = 2.0 * turns + 1.0
+    return axis, length, fma(PI, odd, fma(PI_LOW, odd, -short_of_pi)), turns

@@ -126,6 +126,16 @@ def poses() -> SearchStrategy[Array]:
     return _first("se3.log")
 
 
+def tangents() -> SearchStrategy[Array]:
+    """Elements (7,) = (omega, v, lambda) of sim(3), angle and growth at any distance to 0 and to each other."""
+    return _first("sim3.exp")
+
+
+def similarities() -> SearchStrategy[Array]:
+    """Similarities (4, 4), angle and growth as in `tangents`; off the manifold by rounding, or by up to 1e-7."""
+    return _first("sim3.log")
+
+
 def shear_twists() -> SearchStrategy[Array]:
     """Elements (5,) of the Lie algebra of G_A, eigenvalues at any distance to each other and to 0."""
     return _first("shear.exp")

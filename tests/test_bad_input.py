@@ -43,6 +43,11 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "so3.log_near": (TURN, np.array([0.0, 0, 7])),
     "se3.exp": (np.array([1.0, -2, 0.5, 3, 2, 1]),),
     "se3.log": (space(TURN),),
+    "sim3.exp": (np.array([1.0, -2, 0.5, 3, 2, 1, 0.5]),),
+    "sim3.log": (space(2 * TURN),),
+    "sim3.log_next": (space(2 * TURN), np.array([0.0, 0, -5, 1, 2, 3, 0.5])),
+    "sim3.log_near": (space(2 * TURN), np.array([0.0, 0, 7, 1, 2, 3, 0.5])),
+    "sim3.condition": (np.array([1.0, -2, 0.5, 3, 2, 1, 0.5]),),
     "shear.exp": (np.array([1.0, 0.5, -1, 2, -0.5]),),
     "shear.log": (SHEAR,),
     "scale.exp": (np.array(0.5),),
@@ -127,7 +132,7 @@ def fits(shape: tuple[int, ...], declared: tuple[int | str, ...]) -> bool:
 @pytest.mark.parametrize(("name", "number"), MATRICES)
 def test_wrong_shapes_are_refused(name: str, number: int) -> None:
     good = GOOD[name][number]
-    for bad in (good[..., :-1], good[:-1], np.array(1.0), np.zeros((0,)), np.zeros((7, 7))):
+    for bad in (good[..., :-1], good[:-1], np.array(1.0), np.zeros((0,)), np.zeros((11, 11))):
         if fits(bad.shape, CATALOGUE[name].arguments[number].shape):
             continue
         error = refused(name, with_argument(name, number, bad))
@@ -209,6 +214,8 @@ NO_LOGARITHM = (
     space([[-1, 1, 0], [0, -1, 0], [0, 0, 1]]),
 )
 
+SIMILARITIES = ("sim3.log", "sim3.log_next", "sim3.log_near")
+
 OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("so3.log", 0, mirrored(TURN), "not a rotation"),
     ("so3.log", 0, 2 * TURN, "not a rotation"),
@@ -219,6 +226,11 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("se3.log", 0, space(mirrored(TURN)), "not a rotation"),
     ("se3.log", 0, space(OFF), "not a rotation"),
     ("se3.log", 0, last_row(space(TURN)), "last row"),
+    *((name, 0, space(mirrored(TURN)), "not a similarity") for name in SIMILARITIES),
+    *((name, 0, space(STRETCH), "not a similarity") for name in SIMILARITIES),
+    *((name, 0, space(OFF), "not a similarity") for name in SIMILARITIES),
+    *((name, 0, space(np.zeros((3, 3))), "not a similarity") for name in SIMILARITIES),
+    *((name, 0, last_row(space(TURN)), "last row") for name in SIMILARITIES),
     ("shear.log", 0, np.diag([1.0, -1, 1]), "not positive"),
     ("shear.log", 0, np.diag([1.0, 1, 0]), "not positive"),
     ("shear.log", 0, np.diag([1.0, 1, -0.0]), "not positive"),

@@ -64,7 +64,7 @@ def whole_numbers(matrix: Array) -> list[list[int]]:
 
 def test_the_catalogue_has_its_maps_in_order() -> None:
     families = [family for family, _ in itertools.groupby(entry.family for entry in CATALOGUE.values())]
-    assert families == ["so3", "se3", "scale", "shear", "affine_lie", "sam", "splines"]
+    assert families == ["so3", "se3", "sim3", "scale", "shear", "affine_lie", "sam", "splines"]
     assert all(name == entry.name for name, entry in CATALOGUE.items())
 
 

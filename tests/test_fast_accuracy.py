@@ -13,7 +13,15 @@ from affinecert.map import Map
 from affinecert.scoring import BlockScore, Verdict, score
 from affinecert.tier import PROFILES, batches, select
 
-FORWARD: Mapping[str, float] = {"so3.exp": 6.0, "se3.exp": 6.0, "so3.log": 4.0, "se3.log": 4.0}
+FORWARD: Mapping[str, float] = {
+    "so3.exp": 6.0,
+    "se3.exp": 6.0,
+    "sim3.exp": 6.0,
+    "so3.log": 4.0,
+    "se3.log": 4.0,
+    "sim3.log": 8.0,
+    "sim3.condition": 4.0,
+}
 """The forward error promised where the condition is below 10, in u."""
 
 

@@ -148,6 +148,10 @@ def without_translation(maps: Maps) -> Function:
     return velocity
 
 
+def principal_always(maps: Maps) -> Function:
+    return lambda pose, previous: maps["sim3.log"](pose)
+
+
 def always(maps: Maps) -> Function:
     return lambda matrix: np.array(1.0)
 
@@ -186,6 +190,9 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "exp_log.so3.log_near": ("so3.log_near", scaled("so3.log_near", 1 + 1e-12)),
     "exp_log.se3.log": ("se3.log", scaled("se3.log", 1 + 1e-12)),
     "exp_log.se3.exp": ("se3.log", scaled("se3.log", 1 + 1e-12)),
+    "exp_log.sim3.log": ("sim3.log", scaled("sim3.log", 1 + 1e-12)),
+    "exp_log.sim3.exp": ("sim3.log", scaled("sim3.log", 1 + 1e-12)),
+    "exp_log.sim3.log_next": ("sim3.log_next", principal_always),
     "exp_log.shear.log": ("shear.log", scaled("shear.log", 1 + 1e-12)),
     "exp_log.shear.exp": ("shear.log", scaled("shear.log", 1 + 1e-12)),
     "exp_log.scale.log": ("scale.log", scaled("scale.log", 1 + 1e-12)),
@@ -193,6 +200,10 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "exp_log.sam.log": ("sam.power", in_time("sam.power", np.square)),
     "one_parameter.so3.exp": ("so3.exp", of_the_cube("so3.exp")),
     "one_parameter.se3.exp": ("se3.exp", of_the_cube("se3.exp")),
+    "one_parameter.sim3.exp": ("sim3.exp", of_the_cube("sim3.exp")),
+    "similarity.sim3.exp": ("sim3.exp", scaled("sim3.exp", 1 + 1e-12)),
+    "similarity.rigid.exp": ("sim3.exp", of_the_cube("sim3.exp")),
+    "similarity.rigid.log": ("sim3.log", scaled("sim3.log", 1 + 1e-12)),
     "one_parameter.shear.exp": ("shear.exp", of_the_cube("shear.exp")),
     "one_parameter.scale.exp": ("scale.exp", of_the_cube("scale.exp")),
     "one_parameter.sam.power": ("sam.power", straight_translation),

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
-from affinecert.catalogue import affine_lie, sam, scale, se3, shear, so3, splines
+from affinecert.catalogue import affine_lie, sam, scale, se3, shear, sim3, so3, splines
 from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 
 CATALOGUE: Mapping[str, Map] = MappingProxyType(
-    {entry.name: entry for family in (so3, se3, scale, shear, affine_lie, sam, splines) for entry in family.MAPS}
+    {entry.name: entry for family in (so3, se3, sim3, scale, shear, affine_lie, sam, splines) for entry in family.MAPS}
 )
 """Every map by its name, in the order in which everything shows them."""
 

@@ -1,6 +1,7 @@
 """The papers' closed forms in float64, as a reader would code them: the prey on which the hunt proves itself.
 
-bansal_tatu, appendix A.2 for SE(3) and G_A; rossignac_vinacua, appendix A for A^t. Nothing is mended numerically: a
+bansal_tatu, appendix A.2 for SE(3) and G_A; rossignac_vinacua, appendix A for A^t; gallier, Theorem 2.3 and sections 4
+and 5 for SIM(3). Nothing is mended numerically: a
 quotient stays a quotient, a branch is taken where its condition holds with `==`. Slips of print are corrected, and each
 correction is told. Single items, one call each.
 """
@@ -128,6 +129,82 @@ def shear_log(shear: Array) -> Array:
     return np.array([a1 * l2 / (a2 - 1), l2, corner, a4 * l2 / (a2 - a5) - a4 * l5 / (a2 - a5), l5])
 
 
+def average(omega: Array, growth: float) -> Array:
+    """V, with exp (lambda I + Omega, v; 0, 0) = (e^lambda exp Omega, V v; 0, 1), gallier, Theorem 2.3."""
+    generator, square = cross(omega), omega @ omega
+    theta, e = np.sqrt(square), np.exp(growth)
+    if theta == 0 and growth == 0:
+        return np.eye(3)
+    if theta == 0:
+        return np.asarray((e - 1) / growth * np.eye(3))
+    if growth == 0:
+        first, second, third = 1.0, (1 - np.cos(theta)) / theta**2, (theta - np.sin(theta)) / theta**3
+    else:
+        size = growth**2 + theta**2
+        first = (e - 1) / growth
+        second = (theta * (1 - e * np.cos(theta)) + e * growth * np.sin(theta)) / (theta * size)
+        third = (e - 1) / (growth * theta**2) - e * np.sin(theta) / (theta * size)
+        third -= growth * (e * np.cos(theta) - 1) / (theta**2 * size)
+    return np.asarray(first * np.eye(3) + second * generator + third * generator @ generator)
+
+
+def sim3_exp(tangent: Array) -> Array:
+    """The similarity (e^lambda exp Omega, V v; 0, 1), gallier, Theorem 2.3."""
+    pose = np.eye(4)
+    pose[:3, :3] = np.exp(tangent[6]) * so3_exp(tangent[:3])
+    pose[:3, 3] = average(tangent[:3], tangent[6]) @ tangent[3:6]
+    return pose
+
+
+def turn_and_growth(pose: Array) -> tuple[Array, np.float64]:
+    """The principal rotation vector and lambda of a similarity (alpha R, w; 0, 1), gallier, section 4.
+
+    alpha is the cube root of the determinant. Of R = I and of tr R = -1, where R - R^T is 0, the paper makes cases.
+    """
+    linear = pose[:3, :3]
+    scale = np.cbrt(linear[0] @ np.cross(linear[1], linear[2]))
+    rotation = linear / scale
+    if np.trace(rotation) != -1:
+        return so3_log(rotation), np.log(scale)
+    squares = (rotation - np.eye(3)) / 2 + np.eye(3)
+    row = np.argmax(np.diag(squares))
+    axis = squares[row] / np.sqrt(squares[row, row])
+    return np.pi * axis * np.sign(axis[np.flatnonzero(axis)[0]]), np.log(scale)
+
+
+def with_velocity(omega: Array, growth: np.float64, pose: Array) -> Array:
+    """The tangent with V v = w, gallier, section 4."""
+    return np.concatenate([omega, np.linalg.solve(average(omega, growth), pose[:3, 3]), [growth]])
+
+
+def sim3_log(pose: Array) -> Array:
+    """The principal tangent, gallier, section 4."""
+    return with_velocity(*turn_and_growth(pose), pose)
+
+
+def sim3_log_next(pose: Array, previous: Array) -> Array:
+    """Strategy 1 of gallier, section 5: B' or -(2 pi - theta) B' / theta, whichever is nearer to the previous one."""
+    omega, growth = turn_and_growth(pose)
+    theta = np.linalg.norm(omega)
+    if theta != 0:
+        other = -(2 * np.pi - theta) * omega / theta
+        if np.linalg.norm(other - previous[:3]) < np.linalg.norm(omega - previous[:3]):
+            omega = other
+    return with_velocity(omega, growth, pose)
+
+
+def sim3_log_near(pose: Array, near: Array) -> Array:
+    """Strategy 2 of gallier, section 5: theta + 2 pi k, k the integer nearest to (c theta' - theta) / 2 pi."""
+    omega, growth = turn_and_growth(pose)
+    theta = np.linalg.norm(omega)
+    length = np.linalg.norm(near[:3])
+    if theta == 0 and length == 0:
+        return with_velocity(omega, growth, pose)
+    axis = omega / theta if theta != 0 else near[:3] / length
+    k = np.round((axis @ near[:3] - theta) / (2 * np.pi))
+    return with_velocity((theta + 2 * np.pi * k) * axis, growth, pose)
+
+
 def each(function: Callable[..., Any]) -> Callable[..., Array]:
     """The function of single items as one of batches, by a loop."""
 
@@ -145,6 +222,10 @@ subject = Subject(
         "so3.log": each(so3_log),
         "se3.exp": each(se3_exp),
         "se3.log": each(se3_log),
+        "sim3.exp": each(sim3_exp),
+        "sim3.log": each(sim3_log),
+        "sim3.log_next": each(sim3_log_next),
+        "sim3.log_near": each(sim3_log_near),
         "shear.exp": each(shear_exp),
         "shear.log": each(shear_log),
         "sam.exists": each(exists),
@@ -153,6 +234,7 @@ subject = Subject(
     },
     conventions={
         "all": "column vectors; those of the papers are the catalogue's",
+        "scale": "the cube root of the determinant",
         "slips of print": "Omega^2, not Omega^3, in V (bansal_tatu A.2.1); a_12 in row 1 (rossignac_vinacua, eq. 12); "
         "arctangent of two arguments (eq. 18)",
     },

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from affinecert.map import Array
 from affinecert.properties import strategies
-from affinecert.properties.answer import Answer, near_rigid, near_rotation
+from affinecert.properties.answer import Answer, near_rigid, near_rotation, near_similarity
 from affinecert.properties.answers import Maps, ask
-from affinecert.properties.inexact import CTX, UNDECIDED, exact, norm, precisely
+from affinecert.properties.inexact import CTX, UNDECIDED, Inexact, exact, norm, precisely, ratio
 from affinecert.properties.law import Law, OutOfDomain
 
 
@@ -25,21 +25,25 @@ def _exactly(array: Array, like: Answer) -> Answer:
 
 def _log_of_exp(family: str, maps: Maps, element: Array) -> float:
     whole = ask(maps, f"{family}.exp", element)
-    if family in {"so3", "se3"}:
-        _inside_the_cut(element[:3], whole)
+    if family in {"so3", "se3", "sim3"}:
+        _inside_the_cut(element[:3], whole.whole if family == "so3" else whole.affine.linear)
     back = ask(maps, f"{family}.log", whole)
     return _blocks(back, _exactly(element, back))
 
 
-def _inside_the_cut(omega: Array, rotation: Answer) -> None:
-    """OutOfDomain if the angle is not below pi, by more than the error of the rotation."""
-    if norm(exact(omega)) + UNDECIDED * rotation["rotation"].error >= CTX.pi:
+def _inside_the_cut(omega: Array, linear: Inexact) -> None:
+    """OutOfDomain if the angle is not below pi, by more than the error of the rotation, or of a multiple of it."""
+    if norm(exact(omega)) + UNDECIDED * linear.error / (norm(linear.value) / CTX.sqrt(3)) >= CTX.pi:
         raise OutOfDomain("an angle of pi or more")
+
+
+KNOWN = {"so3": near_rotation, "se3": near_rigid, "sim3": near_similarity}
+"""What a matrix that is in a group but for its rounding stands for."""
 
 
 def _exp_of_log(family: str, maps: Maps, element: Array) -> float:
     back = ask(maps, f"{family}.exp", ask(maps, f"{family}.log", element))
-    known = {"so3": near_rotation, "se3": near_rigid}.get(family, partial(_exactly, like=back))
+    known = KNOWN.get(family, partial(_exactly, like=back))
     return _blocks(back, known(element))
 
 
@@ -51,6 +55,19 @@ def _log_near(maps: Maps, omega: Array) -> float:
         raise OutOfDomain("a full turn, whose axis cannot be told")
     found = ask(maps, "so3.log_near", rotation, omega)
     return _blocks(found, _exactly(omega, found))
+
+
+def _next(maps: Maps, pose: Array, previous: Array) -> float:
+    chosen = ask(maps, "sim3.log_next", pose, previous)
+    back = ask(maps, "sim3.exp", chosen)
+    misfit = _blocks(back, near_similarity(pose))
+    omega = chosen["omega"]
+    if not np.any(chosen.array[:3]):
+        return misfit
+    w, p = ([CTX.mpf(x) for x in vector[:3].tolist()] for vector in (chosen.array, previous))
+    other = [x * (1 - 2 * CTX.pi / CTX.norm(w)) for x in w]
+    distances = [CTX.norm([x - y for x, y in zip(vector, p, strict=True)]) for vector in (w, other)]
+    return max(misfit, ratio(distances[0] - distances[1], 2 * omega.error))
 
 
 def _log_of_power(maps: Maps, matrix: Array, time: Array) -> float:
@@ -99,6 +116,21 @@ LAWS = (
         residual=_log_near,
     ),
     *_pair("se3", "bansal_tatu, A.2.1 and A.2.2", BELOW_PI, "every rigid motion, angle pi too"),
+    *_pair(
+        "sim3",
+        "gallier, section 2 and Theorem 3.2",
+        BELOW_PI,
+        "every similarity, angle pi too: the exponential of SIM(3) is onto",
+    ),
+    Law(
+        name="exp_log.sim3.log_next",
+        statement="exp(log_next(A, P)) = A, whose rotation vector w is no farther from P's than (1 - 2 pi / |w|) w",
+        source="gallier, section 5, strategy 1",
+        domain="every similarity, and every P",
+        needs=("sim3.exp", "sim3.log_next"),
+        inputs=strategies.inputs("sim3.log_next"),
+        residual=_next,
+    ),
     *_pair("shear", "bansal_tatu, A.2.3 and A.2.4", "every element of the algebra", "every element of G_A"),
     *_pair("scale", "bansal_tatu, A.2.5", "every number", "every positive number"),
     Law(

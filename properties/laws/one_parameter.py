@@ -18,7 +18,7 @@ from affinecert.properties.law import Law
 
 def _exponential(name: str, maps: Maps, element: Array, s: Array, t: Array) -> float:
     first, second, both = (ask(maps, name, np.asarray(time * element)) for time in (s, t, s + t))
-    if name == "se3.exp":
+    if name in {"se3.exp", "sim3.exp"}:
         return (first.affine @ second.affine).misfit(both.affine)
     return (first.whole @ second.whole).misfit(both.whole)
 
@@ -43,6 +43,7 @@ def _law(name: str, elements: SearchStrategy[Array], source: str) -> Law:
 LAWS = (
     _law("so3.exp", strategies.rotation_vectors(), "bansal_tatu, section 3.2 and A.2.1"),
     _law("se3.exp", strategies.twists(), "bansal_tatu, section 3.2 and A.2.1"),
+    _law("sim3.exp", strategies.tangents(), "gallier, section 2"),
     _law("shear.exp", strategies.shear_twists(), "bansal_tatu, section 3.2 and A.2.3"),
     _law("scale.exp", strategies.log_scales(), "bansal_tatu, section 3.2 and A.2.5"),
     Law(

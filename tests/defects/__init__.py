@@ -3,7 +3,7 @@
 A defect is entered by the decorator `seeded`; the modules, one a family, are imported for that.
 """
 
-from . import affine_lie, sam, se3, shear, so3, splines
+from . import affine_lie, sam, se3, shear, sim3, so3, splines
 from .defect import DEFECTS, Defect
 
-__all__ = ["DEFECTS", "Defect", "affine_lie", "sam", "se3", "shear", "so3", "splines"]
+__all__ = ["DEFECTS", "Defect", "affine_lie", "sam", "se3", "shear", "sim3", "so3", "splines"]
