@@ -18,6 +18,7 @@ from affinecert.fast._kernel import Array
 from affinecert.fast._rotation import ORTHOGONALITY
 from affinecert.fast._stages import require
 from affinecert.fast._wide_rotation import TWO_PI, orthogonalised, rotation, rotation_vector
+from affinecert.fast.sim3 import LAST_ROW, NOT_POSITIVE, NOT_SIMILAR
 
 Complex = tuple[Array, Array]
 """Real and imaginary parts."""
@@ -32,10 +33,6 @@ LOG_2 = np.array([_elementary.LOG_2.real, _elementary.LOG_2.imag])
 # Below it the series of phi, cut after z^6, errs by less than 2^-140 of phi; above it e^z - 1 loses 20 bits at most.
 SMALL = 2.0**-20
 COEFFICIENTS = tuple(wide.divide(ONE, wide.widen(np.array(float(math.factorial(k + 1))))) for k in range(7))
-
-LAST_ROW = "last row is not (0, 0, 0, 1)"
-NOT_POSITIVE = "not a similarity: the determinant is not positive"
-NOT_SIMILAR = "not a similarity: |L^T L - I| is above 1e-6 (Frobenius norm), for L of determinant 1"
 
 
 def dot(x: Array, y: Array) -> Array:
