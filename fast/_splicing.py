@@ -40,7 +40,7 @@ class Legs(NamedTuple):
     @property
     def closes(self) -> Mask:
         """Which legs end a segment, (..., legs)."""
-        return np.concatenate([self.opens[..., 1:], np.ones_like(self.opens[..., :1])], axis=-1)
+        return _closing(self.opens)
 
     @property
     def alone(self) -> Mask:
@@ -76,9 +76,13 @@ class Cubic(NamedTuple):
 
 def spliced(start: Array, end: Array, opens: Mask) -> Legs:
     """The legs with the slopes of the spliced spline."""
-    legs = Legs(start, end, opens, start, end)
-    slopes = _slopes(wide.subtract(end, start), legs.alone)
+    slopes = _slopes(wide.subtract(end, start), np.asarray(opens & _closing(opens)))
     return Legs(start, end, opens, slopes[..., :-1, :, :], slopes[..., 1:, :, :])
+
+
+def _closing(opens: Mask) -> Mask:
+    """Which legs end a segment: those before one that opens one, and the last."""
+    return np.concatenate([opens[..., 1:], np.ones_like(opens[..., :1])], axis=-1)
 
 
 def _slopes(ways: Array, alone: Mask) -> Array:
