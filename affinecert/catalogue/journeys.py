@@ -94,7 +94,7 @@ def _through_pi(draw: Draw) -> Journey:
 def _round_and_round(draw: Draw) -> Journey:
     axis, wobble = draw.direction(3), draw.exponent(-3, -0.5)
     step = draw.choice((1.0, -1.0)) * draw.uniform(1.9, 2.3)
-    return _journey(draw, [turns.about(_wobbling(draw, axis, wobble), step * k, wobble) for k in range(6)], wobble)
+    return _journey(draw, [turns.about(_wobbling(draw, axis, wobble), step * k, wobble) for k in range(8)], wobble)
 
 
 def _near_pi(draw: Draw) -> Journey:
