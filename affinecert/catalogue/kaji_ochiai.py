@@ -256,8 +256,8 @@ def _steps(draw: Draw, count: int) -> Array:
 
 
 def _uneven_steps(draw: Draw, count: int) -> Array:
-    """Knots at distances of 1e-6 to 100."""
-    return np.cumsum([draw.exponent(-6, 2) for _ in range(count)])
+    """Knots at distances of 1/30 to 10; a wider range would make splines swing beyond that of the exponential."""
+    return np.cumsum([draw.exponent(-1.5, 1) for _ in range(count)])
 
 
 def _between(draw: Draw, knots: Array) -> float:
