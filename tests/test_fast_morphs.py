@@ -78,7 +78,7 @@ def test_times_and_poses_broadcast(name: str) -> None:
 @pytest.mark.parametrize("name", sorted({"shoemake_duff", "arap", "rarap", "asap", "log_spiral", "three_spiral"}))
 def test_half_a_turn_of_the_plane_is_positive(name: str) -> None:
     pose = morphs.MORPHS[name](np.eye(3), np.diag([-1.0, -1, 1]), 0.5)
-    np.testing.assert_allclose(pose[:2, :2], [[0.0, -1], [1, 0]], rtol=0.0, atol=2.0**-52)
+    np.testing.assert_allclose(pose[:2, :2], np.array([[0.0, -1], [1, 0]]), rtol=0.0, atol=2.0**-52)
 
 
 @pytest.mark.parametrize("size", [2, 3])

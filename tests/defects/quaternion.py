@@ -19,7 +19,7 @@ def weighted(start: Array, end: Array, t: Array, angle: Array, small: float) -> 
     """The arc between two quaternions at that angle, the chord where it is below ``small``."""
     sine = np.where(angle > small, np.sin(angle), 1.0)
     first, second = (np.where(angle > small, np.sin(s * angle) / sine, s) for s in (1 - t, t))
-    return column(first) * start + column(second) * end
+    return np.asarray(column(first) * start + column(second) * end)
 
 
 @seeded("quaternion.slerp", "generic")
@@ -36,7 +36,7 @@ def cosine_as_rounded(start: Array, end: Array, t: Array) -> Array:
     with np.errstate(all="ignore"):
         angle = np.arccos(np.sum(start * end, axis=-1))
         first, second = (np.sin(s * angle) / np.sin(angle) for s in (1 - t, t))
-    return column(first) * start + column(second) * end
+    return np.asarray(column(first) * start + column(second) * end)
 
 
 @seeded("quaternion.slerp", "near-coincident", Verdict.DEGRADED)
