@@ -19,17 +19,21 @@ NO_LOGARITHM = "no real logarithm: a negative eigenvalue, not double with two ei
 ON_THE_WAY = "no real logarithm: a negative eigenvalue between poses on the way"
 
 
-def _refuse(good: NDArray[np.bool_], argument: str, reason: str, batch: tuple[int, ...]) -> None:
-    """Raises InputError for the first item that is not good; what it has beyond its batch has to be good altogether."""
+def require(good: NDArray[np.bool_], argument: str, reason: str, batch: tuple[int, ...]) -> None:
+    """Refuses the first item that is not good, (*batch, ...): altogether, where it has parts beyond its batch."""
     together = good.all(axis=tuple(range(len(batch), good.ndim)))
     refuse(np.asarray(together, dtype=np.float64), 0.0, argument, reason, batch)
 
 
+def require_last_row(argument: str, poses: Array, batch: tuple[int, ...]) -> None:
+    """Refuses a last row other than 0 ... 0 1, poses (*batch, ..., n, n)."""
+    require(poses[..., -1, :] == np.eye(poses.shape[-1])[-1], argument, LAST_ROW, batch)
+
+
 def require_poses(argument: str, poses: Array, batch: tuple[int, ...]) -> None:
     """Refuses what is no orientation-preserving affine map, poses (*batch, ..., n, n)."""
-    good = (poses[..., -1, :] == np.eye(poses.shape[-1])[-1]).all(axis=-1)
-    _refuse(good, argument, LAST_ROW, batch)
-    _refuse(wide.determinant_sign(wide.widen(poses[..., :-1, :-1])) > 0.0, argument, DETERMINANT, batch)
+    require_last_row(argument, poses, batch)
+    require(wide.determinant_sign(wide.widen(poses[..., :-1, :-1])) > 0.0, argument, DETERMINANT, batch)
 
 
 def require_morph(argument: str, start: Array, end: Array, batch: tuple[int, ...]) -> None:

@@ -28,11 +28,12 @@ from affinecert.fast._spectrum import NONE, NOT_ORIENTED
 from affinecert.fast._stages import refuse, run
 from affinecert.fast._steady import (
     DETERMINANT,
-    LAST_ROW,
     NO_LOGARITHM,
     between,
     carried,
     morph,
+    require,
+    require_last_row,
     require_morph,
     require_poses,
 )
@@ -75,10 +76,10 @@ def shear_curve(shears: ArrayLike, t: ArrayLike) -> Array:
     """
     keys, time = _through("shears", shears, (3, 3), t)
     batch = keys.shape[:-3]
-    diagonal = keys[..., [1, 2], [1, 2]]
-    shape = (keys[..., 0, 0] == 1.0) & (keys[..., [1, 2, 2], [0, 0, 1]] == 0.0).all(axis=-1)
-    for good, reason in ((shape, NOT_A_SHEAR), ((diagonal > 0.0).all(axis=-1), "diagonal is not positive")):
-        refuse(good.all(axis=-1).astype(np.float64), 0.0, "shears", reason, batch)
+    require(
+        (keys[..., 0, 0] == 1.0)[..., None] & (keys[..., [1, 2, 2], [0, 0, 1]] == 0.0), "shears", NOT_A_SHEAR, batch
+    )
+    require(keys[..., [1, 2], [1, 2]] > 0.0, "shears", "diagonal of the shear is not positive", batch)
     point = np.triu(wide.rounded(curve(SHEARS, wide.widen(keys), time)))
     point[..., 0, 0] = 1.0
     return point
@@ -93,7 +94,7 @@ def scale_curve(scales: ArrayLike, t: ArrayLike) -> Array:
     array([ 1.,  2.,  4., 16.])
     """
     keys, time = _through("scales", scales, (), t)
-    refuse((keys > 0.0).all(axis=-1).astype(np.float64), 0.0, "scales", "not positive", keys.shape[:-1])
+    require(keys > 0.0, "scales", "not positive", keys.shape[:-1])
     return np.asarray(wide.rounded(curve(SCALES, wide.widen(keys)[..., None, None, :], time))[..., 0, 0])
 
 
@@ -104,8 +105,7 @@ def rigid_curve(poses: ArrayLike, t: ArrayLike) -> Array:
     than 0 0 0 1, and linear parts that are no rotations to within 1e-6.
     """
     keys, time = _through("poses", poses, (4, 4), t)
-    good = (keys[..., 3, :] == np.eye(4)[3]).all(axis=(-2, -1))
-    refuse(good.astype(np.float64), 0.0, "poses", LAST_ROW, good.shape)
+    require_last_row("poses", keys, keys.shape[:-3])
     _require_rotations(keys[..., :3, :3])
     rotations = nearest_rotation(keys[..., :3, :3])
     return wide.rounded(curve(RIGID, wide.homogeneous(rotations, wide.widen(keys[..., :3, 3])), time))
@@ -282,8 +282,7 @@ def grazing_parameter(affine: ArrayLike, point: ArrayLike, tangent: ArrayLike, n
     inputs = {"affine": AFFINE, "point": ("n-1",), "tangent": ("n-1",), "normal": ("n-1",)}
     (matrix, q, along, n), _, _ = checked(inputs, (affine, point, tangent, normal), SIZES)
     batch = matrix.shape[:-2]
-    good = (matrix[..., -1, :] == np.eye(matrix.shape[-1])[-1]).all(axis=-1)
-    refuse(good.astype(np.float64), 0.0, "affine", LAST_ROW, batch)
+    require_last_row("affine", matrix, batch)
     generator, existence = affine_logarithm(wide.widen(matrix))
     refuse(existence, NOT_ORIENTED, "affine", DETERMINANT, batch)
     refuse(existence, NONE, "affine", NO_LOGARITHM, batch)
@@ -297,9 +296,8 @@ def grazing_parameter(affine: ArrayLike, point: ArrayLike, tangent: ArrayLike, n
     )
     size = np.sqrt((turn[..., 0] ** 2).sum(axis=(-2, -1)))
     largest = size * np.linalg.norm(along, axis=-1) * np.linalg.norm(n, axis=-1)
-    refuse(
-        (np.abs(change[..., 0]) > NOTHING * largest).astype(np.float64), 0.0, "tangent", NO_GRAZING, along.shape[:-1]
-    )
+    found = np.asarray(np.abs(change[..., 0]) > NOTHING * largest, dtype=np.float64)
+    refuse(found, 0.0, "tangent", NO_GRAZING, along.shape[:-1])
     return wide.rounded(wide.divide(-rate, change))
 
 

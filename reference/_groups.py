@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from affinecert.reference import se3, shear
 from affinecert.reference._alignment import divide
 from affinecert.reference._li_hao import Group
-from affinecert.reference._matrices import Array, Context, cross, cross_matrix, dot, homogeneous, identity, tangent
+from affinecert.reference._matrices import (
+    Array,
+    Context,
+    array,
+    cross,
+    cross_matrix,
+    dot,
+    homogeneous,
+    identity,
+    tangent,
+)
 from affinecert.reference._stumpff import stumpff
 
 
@@ -24,11 +32,11 @@ def _shear_inverse(ctx: Context, matrix: Array) -> Array:
 
 
 def _scale_exp(ctx: Context, element: Array) -> Array:
-    return np.vectorize(ctx.exp, otypes=[object])(element)
+    return array([[ctx.exp(number) for number in row] for row in element])
 
 
 def _scale_log(ctx: Context, matrix: Array) -> Array:
-    return np.vectorize(ctx.log, otypes=[object])(matrix)
+    return array([[ctx.log(number) for number in row] for row in matrix])
 
 
 def _scale_inverse(_: Context, matrix: Array) -> Array:

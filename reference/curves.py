@@ -30,7 +30,7 @@ def shear_curve(ctx: Context, shears: Array, t: Array) -> Array:
     _keyed(ctx, "shears", shears, t)
     for matrix in shears:
         _domain.shear(ctx, "shears", matrix)
-    return curve(ctx, SHEARS, shears, t[()])
+    return curve(ctx, SHEARS, list(shears), t[()])
 
 
 def scale_curve(ctx: Context, scales: Array, t: Array) -> Array:
@@ -42,7 +42,7 @@ def scale_curve(ctx: Context, scales: Array, t: Array) -> Array:
     _keyed(ctx, "scales", scales, t)
     for number in scales:
         _domain.positive("scales", number)
-    return scalar(curve(ctx, SCALES, scales[:, None, None], t[()])[0, 0])
+    return scalar(curve(ctx, SCALES, list(scales[:, None, None]), t[()])[0, 0])
 
 
 def rigid_curve(ctx: Context, poses: Array, t: Array) -> Array:

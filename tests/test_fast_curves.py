@@ -195,3 +195,7 @@ def test_grazing_points_of_a_turn_about_the_origin() -> None:
     assert curves.grazing_parameter(turn, [-3.0, 2.0], [1.0, 0.0], [0.0, 1.0]) == 3.0
     with pytest.raises(InputError, match=r"^tangent\[1\]: degenerate"):
         curves.grazing_parameter(turn, [-3.0, 2.0], [[1.0, 0.0], [0.0, 1.0]], [0.0, 1.0])
+    # Another batch of motions, across that of the tangents, does not change whose index it is.
+    turns = np.stack([turn, np.linalg.inv(turn), turn])[:, None]
+    with pytest.raises(InputError, match=r"^tangent\[1\]: degenerate"):
+        curves.grazing_parameter(turns, [-3.0, 2.0], [[1.0, 0.0], [0.0, 1.0]], [0.0, 1.0])

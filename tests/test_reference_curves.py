@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -143,7 +144,8 @@ def test_two_keys_make_a_geodesic(ctx: Any) -> None:
 
 def quotient_from_left(ctx: Any, first: Numbers, second: Numbers) -> Numbers:
     inverse = ctx.inverse(ctx.matrix(first.tolist()))
-    return np.array(inverse.tolist(), dtype=object).reshape(first.shape) @ second
+    quotient: Numbers = np.array(inverse.tolist(), dtype=object).reshape(first.shape) @ second
+    return quotient
 
 
 def expm(ctx: Any, matrix: Numbers) -> Numbers:
@@ -173,7 +175,8 @@ def printed(ctx: Any, keys: Numbers, t: Any, log: Callable[[Any, Numbers], Numbe
         b.append(quotient_from_left(ctx, step, b[-1] @ step) + 2 * c[-1])
     index = min(int(t), len(steps) - 1)
     time = t - index
-    return keys[index] @ expm(ctx, b[index] * time) @ expm(ctx, c[index] * time**2)
+    point: Numbers = keys[index] @ expm(ctx, b[index] * time) @ expm(ctx, c[index] * time**2)
+    return point
 
 
 @pytest.mark.parametrize("t", [0.25, 1.5, 2.75])
@@ -246,8 +249,8 @@ def test_midpoints_of_pairs_are_those_of_tetrahedra(ctx: Any) -> None:
     # The key T takes a tetrahedron to the canonical one, and the pose half way the tetrahedron that is half way.
     keys = affines(ctx, 2)
     canonical = numbers(ctx, [[0, 0, 0, 1], [1, 0, 0, 1], [1, 1, 0, 1], [0, 0, 1, 1]])
-    solids = [quotient_from_left(ctx, key, canonical.T).T[:, :3] for key in keys]
-    middle = affine_lie.interpolate_tetrahedra(ctx, *solids, at(ctx, 0.5))
+    source, target = (quotient_from_left(ctx, key, canonical.T).T[:, :3] for key in keys)
+    middle = affine_lie.interpolate_tetrahedra(ctx, source, target, at(ctx, 0.5))
     vertices = np.vstack([middle.T, [ctx.one] * 4])
     assert close(ctx, curves.subdivided_curve(ctx, keys, at(ctx, 0.5)) @ vertices, canonical.T)
 
@@ -267,12 +270,16 @@ def test_bezier_curves_as_printed(ctx: Any, n: int) -> None:
     assert close(ctx, curves.bezier_cubic(ctx, a, b, c, d, t), morph(bezier(a, b, c), bezier(b, c, d)))
 
 
+def along(ctx: Any, curve: Callable[..., Numbers], poses: tuple[Numbers, ...], t: Any) -> Numbers:
+    return curve(ctx, *poses, scalar(t))
+
+
 @every_dimension
 def test_bezier_curves_leave_and_arrive_along_the_legs(ctx: Any, n: int) -> None:
     a, b, c, d = affines(ctx, 4, n, 0.2)
     for degree, curve, poses in ((2, curves.bezier_quadratic, (a, b, c)), (3, curves.bezier_cubic, (a, b, c, d))):
         for t, start, end, pose in ((0, poses[0], poses[1], poses[0]), (1, poses[-2], poses[-1], poses[-1])):
-            before, after = rates(ctx, lambda t, c=curve, p=poses: c(ctx, *p, scalar(t)), ctx.mpf(t))
+            before, after = rates(ctx, partial(along, ctx, curve, poses), ctx.mpf(t))
             due = degree * sam.log(ctx, quotient(ctx, end, start)) @ pose
             assert close(ctx, (before + after) / 2, due, BITS - STEP + 20)
 
@@ -312,8 +319,12 @@ def test_the_biarc_is_smooth_in_the_middle_with_the_printed_control_poses(ctx: A
 
     left, right = left_control(a, b, c), left_control(c, b, a)
     assert close(ctx, sam.morph(ctx, left, right, at(ctx, 0.5)), b)
-    for t, controls, time in ((0.25, (a, left, b), 0.5), (0.75, (b, right, c), 0.5), (0.625, (b, right, c), 0.25)):
-        due = curves.bezier_quadratic(ctx, *controls, at(ctx, time))
+    for t, (start, control, end), time in (
+        (0.25, (a, left, b), 0.5),
+        (0.75, (b, right, c), 0.5),
+        (0.625, (b, right, c), 0.25),
+    ):
+        due = curves.bezier_quadratic(ctx, start, control, end, at(ctx, time))
         assert close(ctx, curves.biarc(ctx, a, b, c, at(ctx, t)), due)
 
 
@@ -361,8 +372,8 @@ def test_four_point_subdivision_as_printed(ctx: Any, n: int) -> None:
 @every_dimension
 def test_a_patch_has_its_corners_and_is_regular_with_the_fourth_one_chosen(ctx: Any, n: int) -> None:
     a, b, c, d = affines(ctx, 4, n, 0.2)
-    for s, t, corner in ((0, 0, a), (1, 0, b), (0, 1, c), (1, 1, d)):
-        assert close(ctx, curves.patch(ctx, a, b, c, d, at(ctx, s), at(ctx, t)), corner)
+    for x, y, corner in ((0, 0, a), (1, 0, b), (0, 1, c), (1, 1, d)):
+        assert close(ctx, curves.patch(ctx, a, b, c, d, at(ctx, x), at(ctx, y)), corner)
     fourth = quotient(ctx, b, a) @ c
     s, t = at(ctx, 0.25), at(ctx, 0.625)
     row = sam.morph(ctx, a, c, t)
@@ -396,7 +407,7 @@ def test_a_half_turn_is_a_morph_between_keys_and_none_on_the_way(ctx: Any) -> No
     quarter = curves.poly_sam(ctx, poses, at(ctx, 0.5))
     assert close(ctx, quarter, sam.morph(ctx, poses[0], poses[1], at(ctx, 0.5)))
     with pytest.raises(InputError, match=r"^pose_c: no real logarithm that is determined"):
-        curves.bezier_quadratic(ctx, *poses, at(ctx, 0.3))
+        curves.bezier_quadratic(ctx, poses[0], poses[1], poses[2], at(ctx, 0.3))
 
 
 @pytest.mark.parametrize("name", KEYED)

@@ -83,7 +83,7 @@ def _group_curve(regimes: Sequence[Regime], count: int, share: float) -> tuple[R
     return _fewer((*inside, *_through(knots, (AT_KEYS, NEAR_KEYS, EXTRAPOLATION), regimes[0])), share)
 
 
-PLANE, SPACE, BOTH = (2,), (3,), (2, 3)
+PLANE, BOTH = (2,), (2, 3)
 
 DEAR = 0.4
 """The share of a regime in space, whose truth takes three times as long, next to one in the plane."""
@@ -107,9 +107,8 @@ def _between(
     join: Join,
     knots: Sequence[float],
     share: float,
-    beyond: Steps = steps.GENTLE,
 ) -> tuple[Regime, ...]:
-    """Regimes as of `_steady`, with a time; and those about the knots, ``beyond`` being the steps to extrapolate from.
+    """Regimes as of `_steady`, with a time; and those about the knots.
 
     The first step is the one without a logarithm, so that its regime has times in the first segment.
     """
@@ -117,7 +116,7 @@ def _between(
         timed(regime, INSIDE, knots[:2] if regime.name.startswith("no-logarithm") else knots)
         for regime in _steady(kinds, count, join, share)
     ]
-    generic, gentle = (_sequence(kind, 2, count, join, share) for kind in (steps.GENERIC, beyond))
+    generic, gentle = (_sequence(kind, 2, count, join, share) for kind in (steps.GENERIC, steps.GENTLE))
     return (*inside, *_through(knots, (AT_KEYS, NEAR_KEYS), generic), timed(gentle, EXTRAPOLATION, knots))
 
 
@@ -155,11 +154,13 @@ def _corners(placed: list[Array]) -> tuple[Array, ...]:
 def _patches(share: float) -> tuple[Regime, ...]:
     """Regimes of the corners of a patch, whose sides are steps of a kind, and of two parameters."""
     gentle = replace(steps.GENTLE, name="generic")
-    kinds = ((gentle, BOTH), *((kind, PLANE) for kind in (steps.NEAR_IDENTITY, steps.REGULAR, steps.COALESCING)))
-    inner = [timed(regime, INSIDE, UNIT) for regime in _steady((*kinds, (steps.NEAR_PI, PLANE)), 4, _corners, share)]
-    generic = timed(_sequence(gentle, 2, 4, _corners, share), INSIDE, UNIT)
-    about = (*(timed(regime, INSIDE, UNIT) for regime in inner), timed(generic, AT_KEYS, UNIT))
-    return (*about, timed(timed(_sequence(steps.GENTLE, 2, 4, _corners, share), EXTRAPOLATION, UNIT), NEAR_KEYS, UNIT))
+    others = (steps.NEAR_IDENTITY, steps.REGULAR, steps.COALESCING, steps.NEAR_PI)
+    placed = _steady(((gentle, BOTH), *((kind, PLANE) for kind in others)), 4, _corners, share)
+    return (
+        *(timed(timed(regime, INSIDE, UNIT), INSIDE, UNIT) for regime in placed),
+        timed(timed(placed[0], INSIDE, UNIT), AT_KEYS, UNIT),
+        timed(timed(placed[0], EXTRAPOLATION, UNIT), NEAR_KEYS, UNIT),
+    )
 
 
 def _oblique_direction(draw: Draw, size: int) -> Array:
@@ -200,9 +201,8 @@ MAPS = (
         arguments=(Argument("shears", ("keys", 3, 3), (Group(UPPER),), "1"), TIME),
         outputs=((3, 3),),
         blocks=(Block("shear", 0, UPPER),),
-        regimes=_group_curve(keys.shear_curves(4), 4, share=0.4),
+        regimes=_group_curve(keys.shear_curves(4), 4, share=0.35),
         reference=reference.shear_curve,
-        accuracy=8.0,
         cost=15.0,
         remark="The condition is taken by norm, of the entries of all keys together. " + WIDE,
     ),
@@ -216,7 +216,6 @@ MAPS = (
         blocks=(Block("scale", 0, WHOLE),),
         regimes=_group_curve(keys.scale_curves(4), 4, share=1.0),
         reference=reference.scale_curve,
-        accuracy=8.0,
         cost=2.0,
         remark=WIDE,
     ),
@@ -230,7 +229,6 @@ MAPS = (
         blocks=(Block("rotation", 0, LINEAR), Block("translation", 0, TRANSLATION)),
         regimes=_group_curve(keys.rigid_curves(3), 3, share=0.15),
         reference=reference.rigid_curve,
-        accuracy=8.0,
         cost=40.0,
         remark=BY_NORM,
     ),
@@ -244,7 +242,6 @@ MAPS = (
         blocks=LINEAR_BLOCKS,
         regimes=_group_curve(keys.affine_curves(3), 3, share=0.15),
         reference=reference.affine_curve,
-        accuracy=8.0,
         cost=50.0,
         remark=BY_NORM,
     ),
@@ -258,7 +255,6 @@ MAPS = (
         blocks=LINEAR_BLOCKS,
         regimes=_group_curve(keys.affine_curves(3), 3, share=0.1),
         reference=reference.subdivided_curve,
-        accuracy=8.0,
         cost=80.0,
         remark=BY_NORM,
     ),
@@ -272,7 +268,6 @@ MAPS = (
         blocks=LINEAR_BLOCKS,
         regimes=_between((*ARCS, (steps.TRANSLATIONS, PLANE)), 3, _stacked, (0.0, 1.0, 2.0), share=0.4),
         reference=reference.poly_sam,
-        accuracy=8.0,
         cost=8.0,
         remark=BY_NORM,
     ),
@@ -284,9 +279,8 @@ MAPS = (
         arguments=(POSE_A, POSE_B, POSE_C, TIME),
         outputs=(("n", "n"),),
         blocks=LINEAR_BLOCKS,
-        regimes=_between(CASCADES, 3, tuple, UNIT, share=0.25),
+        regimes=_between(CASCADES, 3, tuple, UNIT, share=0.2),
         reference=reference.bezier_quadratic,
-        accuracy=8.0,
         cost=24.0,
         remark=WIDE,
     ),
@@ -300,7 +294,6 @@ MAPS = (
         blocks=LINEAR_BLOCKS,
         regimes=_between(CASCADES, 4, tuple, UNIT, share=0.15),
         reference=reference.bezier_cubic,
-        accuracy=8.0,
         cost=45.0,
         remark=WIDE,
     ),
@@ -313,9 +306,8 @@ MAPS = (
         arguments=(POSE_A, POSE_B, POSE_C, TIME),
         outputs=(("n", "n"),),
         blocks=LINEAR_BLOCKS,
-        regimes=_between(CASCADES, 3, tuple, (0.0, 0.5, 1.0), share=0.25),
+        regimes=_between(CASCADES, 3, tuple, (0.0, 0.5, 1.0), share=0.2),
         reference=reference.biarc,
-        accuracy=8.0,
         cost=40.0,
         remark=WIDE,
     ),
@@ -331,9 +323,8 @@ MAPS = (
             Block("linear", 0, np.s_[1::2, :-1, :-1]),
             Block("translation", 0, np.s_[1::2, :-1, -1]),
         ),
-        regimes=tuple(_steady(CASCADES, 4, _stacked, share=0.2)),
+        regimes=tuple(_steady(CASCADES, 4, _stacked, share=0.15)),
         reference=reference.four_point,
-        accuracy=8.0,
         cost=70.0,
         remark=BY_NORM,
     ),
@@ -347,7 +338,6 @@ MAPS = (
         blocks=LINEAR_BLOCKS,
         regimes=_patches(share=0.25),
         reference=reference.patch,
-        accuracy=8.0,
         cost=24.0,
         remark=WIDE,
     ),
@@ -361,7 +351,6 @@ MAPS = (
         blocks=(Block("linear", 0, np.s_[:, :-1, :-1]), Block("translation", 0, np.s_[:, :-1, -1])),
         regimes=tuple(_steady((*ARCS, (steps.TRANSLATIONS, PLANE)), 2, tuple, share=0.5)),
         reference=reference.regular_pattern,
-        accuracy=8.0,
         cost=11.0,
         remark=WIDE,
     ),
@@ -389,13 +378,12 @@ MAPS = (
                     spectra.BOUNDARY,
                     spectra.NO_LOGARITHM,
                 ),
-                share=0.5,
+                share=0.4,
             ),
             Regime("outside-2d", _radial, "|scale - 1|", share=0.25),
             *_grazing((spectra.NOT_ORIENTED,), share=0.5)[1:],
         ),
         reference=reference.grazing_parameter,
-        accuracy=8.0,
         cost=10.0,
         remark=WIDE,
     ),

@@ -113,7 +113,8 @@ def scale_curves(count: int) -> tuple[Regime, ...]:
     return (
         Regime("generic", drawn(-1, 0.5), "largest logarithm"),
         Regime("near-identity", drawn(-16, -1), "largest logarithm"),
-        # Of four keys within e^60 of each other the curve stays within e^600: it doubles and redoubles what it misses.
+        # Keys within e^64 of each other have slopes of their logarithms of up to 64, 192 and 320, which take the curve
+        # between them less than 320 / 4 beyond: far from where float64 ends.
         Regime("huge", drawn(1, 1.5), "largest logarithm"),
         Regime("regular", regular, "step"),
         Regime("outside", outside, "|scale|", share=0.25),
