@@ -12,7 +12,7 @@ from pebble import ProcessExpired
 from affinecert.certificate import MorphLawRecord
 from affinecert.errors import UnknownNameError
 from affinecert.executor import executor
-from affinecert.judging import morph_laws
+from affinecert.judging import morph_laws, resolve
 from affinecert.properties.matrix.laws import LAWS, MorphLaw
 from affinecert.properties.matrix.morphs import MORPHS, Morph
 from affinecert.subject import Subject
@@ -47,6 +47,7 @@ def law_matrix(
     With more than one job the rows are tried in that many processes. Raises UnknownNameError or SubjectError.
     """
     rows, columns = morphs(morph), laws(law)
+    resolve(subject)
     names = [each.name for each in columns]
     with executor(jobs) as submit:
         futures = [submit(morph_laws, subject, row.name, names, timeout=limit) for row in rows]

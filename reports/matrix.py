@@ -14,7 +14,7 @@ from affinecert.case import from_hex
 from affinecert.certificate import MorphLawRecord, plain
 from affinecert.properties.matrix.domains import DOMAINS
 from affinecert.properties.matrix.laws import LAWS, STEADINESS
-from affinecert.reports.view import figure
+from affinecert.reports.view import counted, figure
 
 STYLES: Mapping[str, str] = {
     "holds": "green",
@@ -72,28 +72,30 @@ def word(cell: MorphLawRecord) -> str:
     return told + ("" if cell.confirmed or cell.verdict in {"unclear", "void", "absent"} else "!")
 
 
+OUTCOMES: Mapping[str, str] = {
+    "holds": "holds",
+    "partly": "fails",
+    "fails": "fails",
+    "unclear": "is unclear",
+    "void": "says nothing",
+    "absent": "was not tried, as the subject does not offer the morph",
+}
+
+
 def sentence(cell: MorphLawRecord) -> str:
     """A cell in full."""
-    verdicts = {
-        "holds": "holds",
-        "partly": "holds in part",
-        "fails": "fails",
-        "unclear": "is unclear",
-        "void": "says nothing",
-        "absent": "was not tried: the subject does not offer the morph",
-    }
-    parts = [f"{cell.law}: {verdicts[cell.verdict]}"]
-    if cell.verdict in {"holds", "partly", "fails"}:
-        parts.append(f"on {cell.takes} ({cell.examples} tried)" if cell.verdict == "holds" else f"of {cell.takes}")
+    parts = [f"{cell.law}: {OUTCOMES[cell.verdict]}"]
+    if cell.examples:
+        parts.append(f"on {counted(cell.examples, 'pair')} tried ({cell.takes}), residual {figure(cell.residual)}")
     if cell.holds_on:
-        parts.append("holds where " + "; where ".join(cell.holds_on))
-    if cell.verdict in {"holds", "partly", "fails", "unclear"}:
-        parts.append(f"residual {figure(cell.residual)}")
+        parts.append("holds where " + ", or where ".join(cell.holds_on))
     if cell.value is not None:
-        parts.append(f"value between the standard poses {figure(cell.value)}")
+        parts.append(f"between the standard poses it is {figure(cell.value)}")
+    if cell.examples and not cell.confirmed:
+        parts.append("the reference does not agree")
     if cell.note:
         parts.append(cell.note)
-    return ", ".join(parts)
+    return "; ".join(parts)
 
 
 def named_poses(cell: MorphLawRecord) -> tuple[tuple[str, str], ...]:

@@ -8,7 +8,15 @@ from collections import Counter
 import numpy as np
 
 from affinecert.case import Case, to_record
-from affinecert.certificate import CaseResult, Certificate, LawRecord, Machine, RegimeResult, Timing
+from affinecert.certificate import (
+    CaseResult,
+    Certificate,
+    LawRecord,
+    Machine,
+    MorphLawRecord,
+    RegimeResult,
+    Timing,
+)
 from affinecert.scoring import FINDINGS, LOST_HALF, Verdict
 from affinecert.summary import GRAVITY
 
@@ -57,6 +65,25 @@ def law(name: str, verdict: str = "passed", worst: float = 0.4, note: str = "") 
     return LawRecord(name, f"the statement of {name}", "Lemma 1", "everywhere", verdict, worst, 16.0, 25, inputs, note)
 
 
+POSE = [["0x1.0p+0", "0x0.0p+0", "-0x1.8p+0"], ["0x0.0p+0", "0x1.0p+0", "0x0.0p+0"], ["0x0.0p+0", "0x0.0p+0", "0x1.0p+0"]]
+
+
+def morph_laws() -> tuple[MorphLawRecord, ...]:
+    """Every kind of cell, of two morphs and of one that nobody knows, with an infinite residual and hostile texts."""
+    takes, similar = "all pairs", "C B^-1 is a similarity"
+    poses = (POSE, POSE)
+    return (
+        MorphLawRecord("sam", "steady", "holds", takes, residual=1e-16, examples=40, confirmed=True, note="where it exists"),
+        MorphLawRecord("sam", "ARA = 0", "holds", takes, examples=40, confirmed=True, value=1e-13),
+        MorphLawRecord("linear", "steady", "fails", takes, (similar,), math.inf, 40, poses, True),
+        MorphLawRecord("linear", "ARA = 0", "partly", takes, (similar,), 0.5, 40, poses, True, 3.75),
+        MorphLawRecord("sclerp", "steady", "partly", takes, (HOSTILE,), 0.5, 40, (*poses, *poses), False, None, HOSTILE),
+        MorphLawRecord("sclerp", "ARA = 0", "unclear", HOSTILE, note=HOSTILE),
+        MorphLawRecord("nobody's", "steady", "void", takes),
+        MorphLawRecord("nobody's", "ARA = 0", "absent", takes),
+    )
+
+
 MACHINE = Machine("Linux x86_64", "A processor", 2, "3.11.4", {"numpy": "2.3.0", "numba": "0.62.0", "mpmath": "1.3.0"})
 
 
@@ -65,6 +92,7 @@ def certificate(
     laws: tuple[LawRecord, ...] = (),
     subject: str = "fast",
     absent: tuple[str, ...] = (),
+    cells: tuple[MorphLawRecord, ...] = (),
 ) -> Certificate:
     return Certificate(
         subject=subject,
@@ -81,6 +109,7 @@ def certificate(
         laws=laws,
         timings=tuple(Timing(name, 10_000, 51.25) for name in sorted({result.map for result in results})),
         absent=absent,
+        morph_laws=cells,
     )
 
 
@@ -117,6 +146,7 @@ def failing() -> Certificate:
         (law("steadiness"), law("volume kept", "failed", math.inf, HOSTILE), law("isometry", "absent", 0.0)),
         subject="scipy",
         absent=("shear.exp", "shear.log"),
+        cells=morph_laws(),
     )
 
 

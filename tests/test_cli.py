@@ -30,6 +30,9 @@ import numpy as np
 from affinecert.subject import Subject
 
 right = Subject("right", "1.0", {"scale.exp": np.exp})
+straight = Subject(
+    "straight", "1.0", {"morphs.linear": lambda b, c, t: (1 - t[:, None, None]) * b + t[:, None, None] * c}
+)
 wrong = Subject("wrong", "1.0", {"scale.exp": lambda x: np.exp(x) * (1 + 1e-10)})
 nothing = Subject("nothing", "1.0", {})
 '''
@@ -64,7 +67,7 @@ def test_help_is_quick_and_imports_nothing_heavy() -> None:
     shown = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=True)
     assert shown.stderr == ""
     assert shown.stdout.splitlines()[-1] == "[]"
-    for command in ("certify", "maps", "explain", "replay", "hunt", "bench", "sweep"):
+    for command in ("certify", "maps", "explain", "replay", "hunt", "bench", "sweep", "laws"):
         assert f"\n  {command} " in shown.stdout
 
 
@@ -141,6 +144,9 @@ def test_certify_fails_with_1_and_tells_how_to_see_it() -> None:
         (("hunt", "--out", "adapter_of_cli.py/folder"), "Error: cannot write adapter_of_cli.py/folder"),
         (("bench",), "Missing option '--against'"),
         (("sweep", "--count", "0"), "0 is not in the range x>=1"),
+        (("laws", "fsat"), "Error: no subject is named 'fsat'"),
+        (("laws", "--morph", "linaer"), "Error: no morph is named 'linaer'; did you mean linear"),
+        (("laws", "--law", "stready"), "Error: no law of morphs is named 'stready'; did you mean steady"),
         (("prove",), "No such command 'prove'"),
     ],
 )
@@ -157,7 +163,7 @@ def test_a_corrupt_certificate_or_corpus_is_told_with_2() -> None:
     Path("certificate.json").write_text('{"format": 7}', encoding="utf-8")
     result = run("replay", "certificate.json")
     assert result.exit_code == 2
-    assert "Error: certificate.json: not a certificate of format 1" in result.stderr
+    assert "Error: certificate.json: not a certificate of format 2" in result.stderr
     Path("cases.jsonl").write_text('{"map": "so3.exp"}\n', encoding="utf-8")
     result = run("replay", "cases.jsonl")
     assert result.exit_code == 2
@@ -276,6 +282,22 @@ def test_sweep_tells_the_outcome(monkeypatch: pytest.MonkeyPatch) -> None:
     assert '[["0x1.0000000000000p+0", "0x1.0000000000000p+1"]' in result.stdout
     monkeypatch.setattr(existence, "sweep", lambda *arguments: existence.Sweep(20, 7, ()))
     assert run("sweep", "--count", "20").exit_code == 0
+
+
+def test_laws_are_told_as_a_matrix_in_full_and_for_other_programs() -> None:
+    asked = ("laws", "adapter_of_cli:straight", "--jobs", "1", "--law", "[sv]*")
+    table = run(*asked, "--morph", "lin*")
+    assert table.exit_code == 0
+    assert "linear  steady: fails; on " in table.stdout
+    assert "B = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]" in table.stdout
+    two = run(*asked, "--morph", "[al]*")
+    assert two.exit_code == 0
+    lines = [line.split() for line in two.stdout.splitlines()]
+    assert ["linear", "no", "no", "no", "plane"] in lines
+    assert ["arap", "·", "·", "·", "·"] in lines
+    records = json.loads(run(*asked, "--json").stdout)
+    assert {record["verdict"] for record in records if record["morph"] == "linear"} == {"fails", "partly"}
+    assert "| linear | no | no | no | plane |" in run(*asked, "--markdown").stdout
 
 
 def test_bench_tells_the_comparison(monkeypatch: pytest.MonkeyPatch) -> None:

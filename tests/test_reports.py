@@ -19,12 +19,14 @@ from rich.console import Console
 
 from affinecert import reports
 from affinecert.catalogue import CATALOGUE
-from affinecert.certificate import Certificate, dump, parse, read
+from affinecert.certificate import Certificate, MorphLawRecord, dump, parse, read
 from affinecert.errors import StoredFileError
 from affinecert.inputs import read_inputs
-from affinecert.reports import progress, terminal, view
+from affinecert.properties.matrix.laws import LAWS
+from affinecert.properties.matrix.morphs import MORPHS
+from affinecert.reports import matrix, progress, terminal, view
 from affinecert.reports.html import html
-from affinecert.reports.markdown import markdown
+from affinecert.reports.markdown import escape, law_matrix, markdown
 from affinecert.reports.plots import Scale
 from affinecert.scoring import Verdict
 
@@ -106,6 +108,8 @@ def test_markdown_names_every_map_regime_finding_and_law(certificate: Certificat
         assert f"| {law.name} | {law.verdict} |" in text
     for name in certificate.absent:
         assert f"`{name}`" in text
+    for row in matrix.rows(certificate.morph_laws):
+        assert f"| {row.morph} | {' | '.join(escape(matrix.word(cell)) for cell in row.cells)} |" in text
 
 
 def test_markdown_lets_no_text_out_of_its_cell() -> None:
@@ -148,6 +152,11 @@ def test_html_names_every_map_regime_finding_and_law(certificate: Certificate) -
         assert law.name in shown
     for name in certificate.absent:
         assert name in shown
+    for cell in certificate.morph_laws:
+        assert {cell.morph, cell.law, matrix.word(cell)} <= shown
+    for cell in matrix.counterexamples(certificate.morph_laws):
+        assert matrix.sentence(cell).split() in [text.split() for text in shown]
+        assert any(matrix.named_poses(cell)[0][1] in text for text in shown)
 
 
 def test_html_gives_the_worst_input_of_a_regime_without_findings() -> None:
@@ -232,6 +241,34 @@ def test_terminal_says_how_many_findings_it_leaves_out() -> None:
     bad = [certificates.case_result(regime=name, scaled=1e9, verdict=Verdict.WRONG) for name in names]
     results = tuple(certificates.regime_result("so3.log", name, [case]) for name, case in zip(names, bad, strict=True))
     assert "and in 3 more regimes" in printed(certificates.certificate(results))
+
+
+def test_a_cell_of_the_law_matrix_is_a_word() -> None:
+    words = [matrix.word(cell) for cell in certificates.morph_laws()]
+    assert words == ["yes", "0", "no", "3.75", f"{certificates.HOSTILE}!", "?", "–", "·"]
+
+
+def test_the_law_matrix_breaks_no_finding() -> None:
+    results = ALL["passing"].results
+    assert certificates.certificate(results, cells=certificates.morph_laws()).passed
+
+
+def test_the_law_matrix_in_parts_that_fit_the_screen() -> None:
+    cells = [
+        MorphLawRecord(morph.name, law.name, "holds", morph.takes, confirmed=True) for morph in MORPHS for law in LAWS
+    ]
+    for width in (60, 100, 200):
+        stream = io.StringIO()
+        matrix.show(cells, Console(file=stream, width=width, highlight=False, markup=False))
+        lines = stream.getvalue().splitlines()
+        assert max(map(len, lines)) <= width
+        heads = " ".join(line for line in lines if line.startswith(" " * 20))
+        assert heads.split() == " ".join(law.head for law in LAWS).split()
+        for morph in MORPHS:
+            (count,) = {sum(line.split().count("yes") for line in lines if line.startswith(f"{morph.name} "))}
+            assert count == len(LAWS)
+    table = law_matrix(cells).splitlines()[: len(MORPHS) + 2]
+    assert {line.count("|") for line in table} == {len(LAWS) + 2}
 
 
 def test_progress_is_a_bar_in_a_terminal() -> None:

@@ -13,7 +13,7 @@ from functools import cache
 import numpy as np
 
 from affinecert.map import Array
-from affinecert.properties.matrix.algebra import Mask, determinant
+from affinecert.properties.matrix.algebra import Mask
 from affinecert.properties.matrix.domains import holding
 from affinecert.sampling import homogeneous
 from affinecert.shrink import total
@@ -255,16 +255,14 @@ def _nudged(pose: Array, way: float) -> Array:
 @cache
 def bank(size: int) -> Bank:
     """The pairs of the plane (2) or of space (3), in the order of their complexity."""
-    # Of pairs as simple, the one with the simpler start comes first.
-    ordinary = sorted((*_simple(size), *_drawn(size)), key=lambda pair: (total(pair), total(pair[:1])))
+    # Adding 0 makes 0 of -0. Of pairs as simple, the one with the simpler start comes first.
+    pairs = [(start + 0.0, end + 0.0) for start, end in (*_simple(size), *_drawn(size))]
+    ordinary = sorted(pairs, key=lambda pair: (total(pair), total(pair[:1])))
     astride = list(_astride(size))
-    start = np.array([*(pair[0] for pair in ordinary), *(pairs[0] for pairs in astride)])
-    end = np.array([*(pair[1] for pair in ordinary), *(pairs[1] for pairs in astride)])
+    start = np.array([*(pair[0] for pair in ordinary), *(both[0] for both in astride)])
+    end = np.array([*(pair[1] for pair in ordinary), *(both[1] for both in astride)])
     next_start, next_end = _nudged(start, 1.0), _nudged(end, -1.0)
-    next_start[len(ordinary) :] = [pairs[2] for pairs in astride]
-    next_end[len(ordinary) :] = [pairs[3] for pairs in astride]
-    assert (determinant(start) > 0).all()
-    assert (determinant(end) > 0).all()
-    within = holding(start, end)
+    next_start[len(ordinary) :] = [both[2] for both in astride]
+    next_end[len(ordinary) :] = [both[3] for both in astride]
     about_pi = np.arange(len(start)) >= len(ordinary)
-    return Bank(start, end, next_start, next_end, about_pi, within)
+    return Bank(start, end, next_start, next_end, about_pi, holding(start, end))

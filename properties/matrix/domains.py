@@ -151,7 +151,7 @@ def _of_the_plane(start: Array, end: Array) -> Mask:
 
 
 ALL = Domain("all", "all pairs", _everything)
-NO_HALF_TURN = Domain("not pi", "no turn by exactly pi in B, in C or between them", _short_of_pi)
+NO_HALF_TURN = Domain("not pi", "there is no turn by exactly pi in B, in C or between them", _short_of_pi)
 PLANE = Domain("plane", "B and C are poses of the plane", _of_the_plane)
 MILD = Domain("mild", "C B^-1 turns no direction by a right angle or more", _of_step(_upright))
 UPRIGHT = Domain("upright", "neither B nor C turns a direction by a right angle or more", _of_both(_upright))

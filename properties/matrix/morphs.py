@@ -20,7 +20,7 @@ class Morph:
     @property
     def takes(self) -> str:
         """The pairs that it takes, in words."""
-        where = {2: " of the plane", 3: " of space"}
+        where = {2: ", in the plane", 3: ", in space"}
         return self.domain.words + (where[self.dimensions[0]] if len(self.dimensions) == 1 else "")
 
 
