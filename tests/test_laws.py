@@ -245,6 +245,22 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "subclasses.realise": ("kaji_ochiai.realise", nudged("kaji_ochiai.realise", (0, 1), 1e-9)),
     "subclasses.blend": ("kaji_ochiai.blend", nudged("kaji_ochiai.blend", (0, 1), 1e-9)),
     "subclasses.interpolate": ("kaji_ochiai.interpolate", nudged("kaji_ochiai.interpolate", (0, 1), 1e-9)),
+    "determinant.homotopy2.polar": ("homotopy2.polar", scaled("homotopy2.polar", 1 + 1e-12)),
+    "determinant.homotopy2.exponential": (
+        "homotopy2.exponential",
+        in_time("homotopy2.exponential", lambda t: t * (1 + 1e-12)),
+    ),
+    "volume_monotone.homotopy2": ("homotopy2.exponential", straight),
+    "isometry.homotopy2.polar": ("homotopy2.polar", straight),
+    "isometry.homotopy2.exponential": ("homotopy2.exponential", straight),
+    "endpoints.homotopy2.polar": ("homotopy2.polar", in_time("homotopy2.polar", lambda t: t * (1 + 1e-12))),
+    "endpoints.homotopy2.exponential": (
+        "homotopy2.exponential",
+        in_time("homotopy2.exponential", lambda t: t * (1 + 1e-12)),
+    ),
+    "endpoints.mesh2.frobenius": ("mesh2.frobenius", in_time("mesh2.frobenius", lambda t: t * (1 + 1e-12))),
+    "reversibility.mesh2.symmetric": ("mesh2.symmetric", lambda maps: maps["mesh2.frobenius"]),
+    "equivariance.mesh2.similarity": ("mesh2.similarity", nudged("mesh2.similarity", (0, 0), 1e-3)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
 }
 """For each law a map that it needs, and how it is broken."""

@@ -7,6 +7,7 @@ from affinecert.properties.laws import (
     canonical_tetrahedron,
     closure,
     decomposition,
+    determinant,
     endpoints,
     equivariance,
     existence,
@@ -24,6 +25,7 @@ from affinecert.properties.laws import (
 
 LAWS: tuple[Law, ...] = (
     *volume_monotone.LAWS,
+    *determinant.LAWS,
     *volume_kept.LAWS,
     *isometry.LAWS,
     *reversibility.LAWS,

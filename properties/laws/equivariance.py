@@ -36,6 +36,14 @@ def _rotated_frames(maps: Maps, linear: Array, after: Array, before: Array) -> f
     return max(turned.whole.misfit(left @ rotation.whole @ right), moved.whole.misfit(right.T @ stretch.whole @ right))
 
 
+def _similar_shapes(
+    maps: Maps, source: Array, target: Array, triangles: Array, time: Array, similarity: Array
+) -> float:
+    there = ask(maps, "mesh2.similarity", source, target, triangles, time)["vertices"]
+    seen = ask(maps, "mesh2.similarity", source @ similarity.T, target @ similarity.T, triangles, time)["vertices"]
+    return (there @ precisely(similarity.T)).misfit(seen)
+
+
 LAWS = (
     Law(
         name="equivariance.sam.power",
@@ -64,5 +72,15 @@ LAWS = (
         needs=("polar.decompose",),
         inputs=special.with_quarter_turns(strategies.linear_maps()),
         residual=_rotated_frames,
+    ),
+    Law(
+        name="equivariance.mesh2.similarity",
+        statement="the shape from g P to g Q is g times that from P to Q, for a similarity g",
+        source="kaji_2d, section 4",
+        domain="shapes without triangles that are turned over; g here turns by quarters and scales by powers of two, "
+        "which rounds nothing",
+        needs=("mesh2.similarity",),
+        inputs=special.with_similarity(strategies.inputs("mesh2.similarity")),
+        residual=_similar_shapes,
     ),
 )

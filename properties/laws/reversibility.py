@@ -60,6 +60,12 @@ def _morphs(maps: Maps, start: Array, end: Array, time: Array) -> float:
     return there.affine.misfit(back.affine)
 
 
+def _meshes(maps: Maps, source: Array, target: Array, triangles: Array, time: Array) -> float:
+    there = ask(maps, "mesh2.symmetric", source, target, triangles, time)
+    back = ask(maps, "mesh2.symmetric", target, source, triangles, _backwards(time))
+    return there["vertices"].misfit(back["vertices"])
+
+
 def _law(name: str, source: str, domain: str, residual: Callable[..., float]) -> Law:
     return Law(
         name=f"reversibility.{name}",
@@ -86,5 +92,11 @@ LAWS = (
         "rossignac_vinacua, section 2.3 (3)",
         "C B^-1 with a real logarithm and no negative eigenvalue; at a double one the law is false as above",
         _morphs,
+    ),
+    _law(
+        "mesh2.symmetric",
+        "kaji_2d, section 4, improvements",
+        "triangles that turn by less than pi; at pi the way back turns on instead of back",
+        _meshes,
     ),
 )
