@@ -47,7 +47,7 @@ def complex_product(a: Array, b: Array) -> Array:
 
 def conjugate(a: Array) -> Array:
     """The conjugate numbers."""
-    return a * np.array([[1.0], [-1.0]])
+    return np.multiply(a, [[1.0], [-1.0]])
 
 
 def real_multiple(a: Array, x: Array) -> Array:

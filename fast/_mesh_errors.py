@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
@@ -96,10 +97,14 @@ class Errors:
         """Whether E^R or E^S is in it."""
         return bool(self.weights[:, 1].any())
 
+    @cached_property
+    def numbers(self) -> Array:
+        """The indices as float64."""
+        return self.triangles.astype(np.float64)
+
     def slope(self, goal: Goal, moved: Array) -> Array:
         """Half the gradient, downwards, at the vertices ``moved``, pairs (vertices, 2, 2)."""
-        indices = self.triangles.astype(np.float64)
-        return run(gradient, self.source, indices, *goal, self.weights, np.array(float(self.by_points)), moved)[0]
+        return run(gradient, self.source, self.numbers, *goal, self.weights, np.array(float(self.by_points)), moved)[0]
 
     def blocks(self, goal: Goal) -> NDArray[np.complex128]:
         """The matrix of the errors between the vertices of each triangle, (faces, 3, 3), in float64.
@@ -122,4 +127,4 @@ class Errors:
                 size = square * (np.abs(a) ** 2 + np.abs(b) ** 2)
             spanned = a[:, None] * beta + b[:, None] * np.conj(beta)
             matrix = matrix + (similar / size)[:, None, None] * np.conj(spanned)[:, :, None] * spanned[:, None, :]
-        return matrix.astype(np.complex128)
+        return np.asarray(matrix, dtype=np.complex128)

@@ -16,7 +16,7 @@ from threadpoolctl import ThreadpoolController
 
 from affinecert.fast._kernel import Array
 from affinecert.fast._triangulation import Indices
-from affinecert.fast._wide import add, subtract, times, widen
+from affinecert.fast._wide import add, divide, subtract, times, widen
 
 # The size of a step, at the rate of the step before, foretells the next one: below this part of the solution it would
 # not change the rounded result, but for a part of 2^-7 of all roundings.
@@ -89,7 +89,13 @@ def total(x: Array) -> Array:
     while len(x) > 1:
         half = len(x) // 2
         x = np.concatenate([add(x[:half], x[half : 2 * half]), x[2 * half :]])
-    return x[0]
+    result: Array = x[0]
+    return result
+
+
+def mean(x: Array) -> Array:
+    """The mean of pairs over the first axis."""
+    return divide(total(x), widen(np.array(float(len(x)))))
 
 
 @cache
@@ -103,7 +109,8 @@ def without_threads_of_blas() -> AbstractContextManager[Any]:
 
     Two threads take twice the processor time of one on two idle processors, and up to ten times on busy ones.
     """
-    return _libraries().limit(limits=1, user_api="blas")
+    held: AbstractContextManager[Any] = _libraries().limit(limits=1, user_api="blas")
+    return held
 
 
 def factored(matrix: Any) -> SuperLU | None:

@@ -31,7 +31,7 @@ def indices(triangles: Array, count: int) -> Indices:
     if not (np.array_equal(whole, triangles) and ((whole >= 0) & (whole < count)).all() and distinct.all()):
         raise InputError("triangles", NO_TRIPLES)
     edges = sparse.coo_array((np.ones(2 * len(whole)), (np.tile(first, 2), whole[:, 1:].T.ravel())), (count, count))
-    if csgraph.connected_components(edges, directed=False, return_labels=False) > 1:
+    if csgraph.connected_components(edges, directed=False)[0] > 1:
         raise InputError("triangles", IN_PIECES)
     return whole
 
@@ -96,13 +96,13 @@ def coherent_turns(angles: Array, triangles: Indices) -> Array:
     # A minimum spanning tree; edges of weight 0 would not count as edges, so 1 is added to all.
     misfit = 1.0 + np.abs(angles[first] - angles[second] - 2 * math.pi * steps)
     count = len(angles)
-    tree = csgraph.minimum_spanning_tree(sparse.coo_array((misfit, (first, second)), (count, count)))
-    _, labels = csgraph.connected_components(tree, directed=False)
-    roots = np.unique(labels, return_index=True)[1]
+    tree = csgraph.minimum_spanning_tree(sparse.coo_array((misfit, (first, second)), (count, count))).tocoo()
+    roots = np.unique(csgraph.connected_components(tree, directed=False)[1], return_index=True)[1]
     # A last node beside all roots makes one tree of the pieces.
-    hub = sparse.coo_array((np.ones(len(roots)), (roots, np.full(len(roots), count))), (count + 1, count + 1))
-    tree.resize(count + 1, count + 1)
-    parents = csgraph.breadth_first_order(tree + hub, count, directed=False)[1][:count]
+    rows = np.concatenate([tree.row, roots], dtype=np.intp)
+    columns = np.concatenate([tree.col, np.full(len(roots), count)], dtype=np.intp)
+    whole = sparse.coo_array((np.ones(len(rows)), (rows, columns)), (count + 1, count + 1))
+    parents = csgraph.breadth_first_order(whole, count, directed=False)[1][:count]
     before = np.where(parents == count, angles, angles[np.where(parents == count, 0, parents)])
     turns = np.append(np.rint((before - angles) / (2 * math.pi)), 0.0)
     # Every triangle adds what its parent has, whose parent then is twice as far.

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from affinecert.errors import InputError
 from affinecert.fast._batches import each
 from affinecert.fast._kernel import Array
-from affinecert.fast._sparse import factored, pattern, refined, total, without_threads_of_blas
+from affinecert.fast._sparse import factored, mean, pattern, refined, total, without_threads_of_blas
 from affinecert.fast._stages import run
 from affinecert.fast._surface_gradient import surface_gradient
 from affinecert.fast._triangulation import Indices, cross, indices, normals
@@ -66,7 +66,7 @@ class _Blender:
             moved = refined(np.zeros((self.count, 3, 2)), slope, self.solve)
         if moved is None:
             raise InputError("triangles", NOT_UNIQUE)
-        shift = subtract(add(self.centres[0], centre), _mean(moved))
+        shift = subtract(add(self.centres[0], centre), mean(moved))
         return rounded(add(moved, shift))
 
 
@@ -110,7 +110,7 @@ def _prepared(rest: Array, targets: Array, triangles: Array) -> Callable[[Array]
         metric=metric,
         vectors=np.array([rotation_vector(turn) for turn, _ in factors]),
         logarithms=np.array([symmetric_logarithm(stretch) for _, stretch in factors]),
-        centres=np.array([_mean(widen(shape)) for shape in shapes]),
+        centres=np.array([mean(widen(shape)) for shape in shapes]),
         count=len(rest),
         solve=_solver(faces, metric[..., 0], len(rest)),
     )
@@ -142,10 +142,6 @@ def _metric(first: Array, second: Array, double: Array) -> Array:
     """
     adjugate = [_dot(second, second), -_dot(first, second), _dot(first, first)]
     return divide(np.stack(adjugate, axis=-2), 2.0 * double[:, None, :])
-
-
-def _mean(points: Array) -> Array:
-    return divide(total(points), widen(np.array(float(len(points)))))
 
 
 # The edges from the first vertex of a triangle, of its three vertices.

@@ -10,7 +10,7 @@ from hypothesis.strategies import SearchStrategy
 
 from affinecert.draw import Draw
 from affinecert.map import Array
-from affinecert.properties.strategies import drawn, poses, shears
+from affinecert.properties.strategies import drawn, inputs, poses, shears, times
 from affinecert.sampling import homogeneous, quarter_turns, vector
 
 CANONICAL = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
@@ -98,6 +98,25 @@ def _turn_of_axes(draw: Draw) -> Array:
 def with_turn(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
     """The arguments of a map, and a similarity that takes the coordinate axes to each other and scales by 2^k."""
     return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _turn_of_axes(draw))))
+
+
+def plane_maps() -> SearchStrategy[Array]:
+    """Linear maps of the plane (2, 2), det > 0: rotations by any angle, thin ones, stretches at any distance."""
+    return inputs("homotopy2.exponential").map(lambda arguments: arguments[0]).filter(lambda a: np.linalg.det(a) > 0)
+
+
+def plane_maps_in_time() -> SearchStrategy[tuple[Array, ...]]:
+    """Such a linear map, and a time."""
+    return st.tuples(plane_maps(), times())
+
+
+def _quarter_turned(draw: Draw) -> Array:
+    return draw.choice(quarter_turns(2)) * 2.0 ** draw.choice(range(-3, 4))
+
+
+def with_similarity(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
+    """The arguments of a map, and a similarity of the plane that rounds nothing: quarter turns and powers of two."""
+    return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _quarter_turned(draw))))
 
 
 def _scaling(draw: Draw) -> float:

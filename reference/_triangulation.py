@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from affinecert.errors import InputError
-from affinecert.reference._matrices import Array
+from affinecert.reference._matrices import Array, array
 
 Triple = tuple[int, int, int]
 
 
 def triples(triangles: Array, count: int) -> list[Triple]:
     """The triangles as indices; refuses what is no mesh of one piece."""
-    triples = [(int(i), int(j), int(k)) for i, j, k in triangles]
-    if any(int(x) != x or not 0 <= x < count for x in triangles.flat) or any(len({*each}) < 3 for each in triples):
+    triples: list[Triple] = [(int(i), int(j), int(k)) for i, j, k in triangles]
+    whole = array(triples).reshape(-1, 3)
+    if (whole != triangles).any() or any(
+        len({*each}) < 3 or not 0 <= min(each) <= max(each) < count for each in triples
+    ):
         raise InputError("triangles", "not triples of different vertices")
     reached, before = {0}, -1
     while len(reached) > before:

@@ -129,7 +129,7 @@ def _faces(ctx: Context, source: Array, target: Array, triangles: Array, t: Arra
     for name, argument in (("source", source), ("target", target), ("triangles", triangles), ("t", t)):
         _domain.finite(ctx, name, argument)
     return [
-        _face(ctx, ctx.prec, triple, tuple(source[[*triple]].flat), tuple(target[[*triple]].flat), t[()])
+        _face(ctx, ctx.prec, triple, tuple(source[[*triple]].flat), tuple(target[[*triple]].flat), t.item())
         for triple in triples(triangles, len(source))
     ]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -110,8 +111,8 @@ def _homotopy(
     source: str,
     domain: str,
     regimes: tuple[Regime, ...],
-    function: Callable[..., Array],
-    continuation: Callable[..., Array] | None,
+    function: Callable[..., Any],
+    continuation: Callable[..., Any] | None,
 ) -> Map:
     return Map(
         name=f"homotopy2.{name}",

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -58,7 +59,7 @@ def triangle(draw: Draw) -> Array:
     return np.array([[0.0, 0.0], [draw.uniform(0.5, 1.5), 0.0], [draw.uniform(-1, 1), draw.uniform(0.5, 1.5)]])
 
 
-SHAPES = {
+SHAPES: Mapping[Triangles, Callable[[Draw], Array]] = {
     FAN: partial(about_a_vertex, 3),
     WHEEL: partial(about_a_vertex, 5),
     STRIP: strip,
@@ -79,7 +80,7 @@ def relabelled(draw: Draw, shapes: Shapes) -> Shapes:
 def turned(shape: Array, angle: float) -> Array:
     """The shape turned about the origin."""
     cosine, sine = math.cos(angle), math.sin(angle)
-    return shape @ np.array([[cosine, sine], [-sine, cosine]])
+    return np.asarray(shape @ np.array([[cosine, sine], [-sine, cosine]]))
 
 
 def _generic(triangles: Triangles, draw: Draw) -> Shapes:
@@ -196,7 +197,7 @@ def _map(
     name: str,
     definition: str,
     source: str,
-    function: Callable[..., Array],
+    function: Callable[..., Any],
     regimes: tuple[Regime, ...] = REGIMES,
     domain: str = "",
     more: tuple[Argument, ...] = (),
@@ -236,8 +237,8 @@ MAPS = (
     ),
     _map(
         "points",
-        "the v that minimise E^S = sum of area_i min over s, delta, d of sum_k |s R_delta A_i(t) p_k + d - v_k|^2, k the "
-        f"corners of triangle i; {ENDS}",
+        "the v that minimise E^S = sum of area_i min over s, delta, d of sum_k |s R_delta A_i(t) p_k + d - v_k|^2, "
+        f"over the corners k of triangle i; {ENDS}",
         "kaji_2d, section 4 (Werman and Weinshall 1995)",
         reference.points,
     ),

@@ -111,6 +111,14 @@ def _between(draw: Draw) -> list[float]:
     return [first, draw.uniform(0.0, 1.0 - first)]
 
 
+def _at_an_end(draw: Draw) -> list[float]:
+    return draw.choice(([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]))
+
+
+def _beyond(draw: Draw) -> list[float]:
+    return [signed(draw, -1, 0.3) for _ in range(TARGETS)]
+
+
 def _regime(
     name: str,
     build: Callable[[Draw], Shapes],
@@ -153,18 +161,14 @@ MAPS = (
             _regime("thin", _thin, "ratio of height and length"),
             _regime("tiny-next-to-huge", _far, "distance from the origin"),
             _regime("huge-or-tiny", _huge_or_tiny, "scale"),
-            _regime(
-                "at-the-ends", GENERIC, "pi - angle", lambda draw: draw.choice(([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]))
-            ),
-            _regime(
-                "extrapolation", GENERIC, "pi - angle", lambda draw: [signed(draw, -1, 0.3) for _ in range(TARGETS)]
-            ),
+            _regime("at-the-ends", GENERIC, "pi - angle", _at_an_end),
+            _regime("extrapolation", GENERIC, "pi - angle", _beyond),
             _regime("outside", _outside, "none"),
         ),
         reference=reference.blend,
         accuracy=8.0,
         cost=60.0,
-        remark="Condition against perturbations of the shapes as vectors of all coordinates, the targets together, each "
-        "relative to its length: a shape far from the origin counts with its distance. The indices are exact.",
+        remark="Condition against perturbations of the shapes as vectors of all coordinates, the targets together, "
+        "each relative to its length: a shape far from the origin counts with its distance. The indices are exact.",
     ),
 )

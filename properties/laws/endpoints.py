@@ -31,6 +31,16 @@ def _between_vertices(name: str, maps: Maps, source: Array, target: Array, _: Ar
     return max(start.misfit(precisely(source)), end.misfit(precisely(target)))
 
 
+def _from_identity_of_the_plane(name: str, maps: Maps, linear: Array, _: Array) -> float:
+    start, end = (ask(maps, name, linear, time).whole for time in (START, END))
+    return max(start.misfit(precisely(np.eye(2))), end.misfit(precisely(linear)))
+
+
+def _between_shapes(name: str, maps: Maps, source: Array, target: Array, triangles: Array, _: Array) -> float:
+    start, end = (ask(maps, name, source, target, triangles, time)["vertices"] for time in (START, END))
+    return max(start.misfit(precisely(source)), end.misfit(precisely(target)))
+
+
 def _law(name: str, statement: str, source: str, domain: str, residual: Callable[..., float]) -> Law:
     return Law(
         name=f"endpoints.{name}",
@@ -78,5 +88,22 @@ LAWS = (
         "rossignac_vinacua, section 2.2",
         "C B^-1 with a real logarithm",
         _between_maps,
+    ),
+    *(
+        _law(
+            name,
+            "A(0) = I and A(1) = A",
+            f"kaji_2d, section 3, equation {equation}",
+            "det A > 0",
+            _from_identity_of_the_plane,
+        )
+        for name, equation in (("homotopy2.polar", 2), ("homotopy2.exponential", 3))
+    ),
+    _law(
+        "mesh2.frobenius",
+        "the shape is the source at t = 0 and the target at t = 1",
+        "kaji_2d, section 4",
+        "shapes without triangles that are turned over",
+        _between_shapes,
     ),
 )

@@ -54,6 +54,14 @@ def _curve_invariance(maps: Maps, *arguments: Array) -> float:
     return (change @ ask(maps, "curves.bezier_quadratic", *poses, time).affine).misfit(seen.affine)
 
 
+def _similar_shapes(
+    maps: Maps, source: Array, target: Array, triangles: Array, time: Array, similarity: Array
+) -> float:
+    there = ask(maps, "mesh2.similarity", source, target, triangles, time)["vertices"]
+    seen = ask(maps, "mesh2.similarity", source @ similarity.T, target @ similarity.T, triangles, time)["vertices"]
+    return (there @ precisely(similarity.T)).misfit(seen)
+
+
 LAWS = (
     Law(
         name="equivariance.sam.power",
@@ -103,5 +111,15 @@ LAWS = (
         needs=("curves.bezier_quadratic",),
         inputs=special.with_frame(strategies.inputs("curves.bezier_quadratic")),
         residual=_curve_invariance,
+    ),
+    Law(
+        name="equivariance.mesh2.similarity",
+        statement="the shape from g P to g Q is g times that from P to Q, for a similarity g",
+        source="kaji_2d, section 4",
+        domain="shapes without triangles that are turned over; g here turns by quarters and scales by powers of two, "
+        "which rounds nothing",
+        needs=("mesh2.similarity",),
+        inputs=special.with_similarity(strategies.inputs("mesh2.similarity")),
+        residual=_similar_shapes,
     ),
 )

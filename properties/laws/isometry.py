@@ -21,6 +21,23 @@ def _residual(name: str, maps: Maps, pose: Array, time: Array) -> float:
     return (linear.T @ linear).misfit(precisely(np.eye(len(linear.value))))
 
 
+def _linear_residual(name: str, maps: Maps, pose: Array, time: Array) -> float:
+    linear = ask(maps, name, pose[:-1, :-1], time).whole
+    return (linear.T @ linear).misfit(precisely(np.eye(len(linear.value))))
+
+
+def _homotopy(name: str, source: str) -> Law:
+    return Law(
+        name=f"isometry.{name}",
+        statement=STATEMENT,
+        source=source,
+        domain="rotations of the plane, to within the rounding of their entries; all real t",
+        needs=(name,),
+        inputs=st.tuples(special.rigid_maps(2), strategies.times()),
+        residual=partial(_linear_residual, name),
+    )
+
+
 LAWS = (
     Law(
         name="isometry.affine_lie",
@@ -41,4 +58,6 @@ LAWS = (
         inputs=st.tuples(special.rigid_maps(2) | special.rigid_maps(3), strategies.times()),
         residual=partial(_residual, "sam.power"),
     ),
+    _homotopy("homotopy2.polar", "kaji_2d, section 3, equation 2"),
+    _homotopy("homotopy2.exponential", "kaji_2d, section 3, equation 3"),
 )

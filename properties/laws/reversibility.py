@@ -76,6 +76,12 @@ def _curves(maps: Maps, *arguments: Array) -> float:
     return there.affine.misfit(back.affine)
 
 
+def _meshes(maps: Maps, source: Array, target: Array, triangles: Array, time: Array) -> float:
+    there = ask(maps, "mesh2.symmetric", source, target, triangles, time)
+    back = ask(maps, "mesh2.symmetric", target, source, triangles, _backwards(time))
+    return there["vertices"].misfit(back["vertices"])
+
+
 def _law(name: str, source: str, domain: str, residual: Callable[..., float]) -> Law:
     return Law(
         name=f"reversibility.{name}",
@@ -117,5 +123,11 @@ LAWS = (
         "rossignac_vinacua, sections 2.3 (3) and 5.3",
         "as for curves.bezier_quadratic",
         _curves,
+    ),
+    _law(
+        "mesh2.symmetric",
+        "kaji_2d, section 4, improvements",
+        "triangles that turn by less than pi; at pi the way back turns on instead of back",
+        _meshes,
     ),
 )
