@@ -40,18 +40,18 @@ def _inside_the_cut(omega: Array, linear: Inexact) -> None:
         raise OutOfDomain("an angle of pi or more")
 
 
-GIVEN: Mapping[str, Callable[[Array], Answer]] = {
+KNOWN: Mapping[str, Callable[[Array], Answer]] = {
     "so3": near_rotation,
     "se3": near_rigid,
     "sim3": near_similarity,
     "sym3": partial(near_symmetric, name="exponential"),
 }
-"""What an element stands for where it is not itself: the nearest one of the group."""
+"""What a matrix that is in a group but for its rounding stands for."""
 
 
 def _exp_of_log(family: str, maps: Maps, element: Array) -> float:
     back = ask(maps, f"{family}.exp", ask(maps, f"{family}.log", element))
-    known = GIVEN.get(family, partial(_exactly, like=back))
+    known = KNOWN.get(family, partial(_exactly, like=back))
     return _blocks(back, known(element))
 
 
