@@ -30,7 +30,7 @@ EACH = Group(np.s_[..., :-1, :-1]), Group(np.s_[..., :-1, -1])
 
 POSES = Argument("poses", ("keys", "n", "n"), EACH, "1, length")
 
-WIDE = "Computed in double-double arithmetic and rounded once."
+WIDE = "Computed in double-double arithmetic and rounded once: no scaled error above 0.5 was met."
 
 BY_NORM = (
     f"The condition is taken by norm: of all linear parts of an argument together, and of all its translations. {WIDE}"
