@@ -43,16 +43,13 @@ PI = complex(*parts(PI_FRACTION, 2))
 HALF_PI_1, HALF_PI_2, HALF_PI_3, HALF_PI_4 = parts(PI_FRACTION / 2, 4)
 
 LOG_2_FRACTION = Fraction("0.693147180559945309417232121458176568075500134360255254120680009")
-LOG_2 = LOG_TWO = complex(*parts(LOG_2_FRACTION, 2))
+LOG_2 = complex(*parts(LOG_2_FRACTION, 2))
 # To 24 bits, so that k log 2 is exact for the exponent k of any float64; and what is left of it.
 LOG_2_FIRST = float(np.float32(LOG_2.real))
 LOG_2_REST = complex(*parts(LOG_2_FRACTION - Fraction(LOG_2_FIRST), 2))
 
 # Beyond it exp overflows, below its negative exp is 0.
 MOST_EXPONENT = 750.0
-
-# Results of larger exponents are infinite, of smaller ones zero, for any float64 that is left to be scaled by them.
-MOST_SPLIT_EXPONENT = 5000.0
 
 # The reduced argument of exp is at most log(2)/2 < 0.35, and 0.35^n / n! < 2^-108 from n = 23 on; that of sine and
 # cosine is at most pi/4 < 0.79, and 0.79^n / n! < 2^-108 from n = 29 on. So these hold 1 / n!, n < 29.
@@ -72,29 +69,26 @@ def _exponential_less_one(x: complex) -> complex:
 
 
 @compiled
+def split_exponential(x: complex) -> tuple[complex, int]:
+    """The number e^x as one between 0.7 and 1.42, and the exponent of the power of two that it is multiplied by."""
+    exponent = np.rint(x.real / LOG_2.real)
+    rest = subtract(subtract(x, complex(exponent * LOG_2_FIRST, 0.0)), times(LOG_2_REST, exponent))
+    return add(_exponential_less_one(rest), ONE), int(exponent)
+
+
+@compiled
 def exponential(x: complex) -> complex:
     """The number e^x; infinity beyond the range."""
     if not abs(x.real) < MOST_EXPONENT:
         return complex(math.exp(x.real), 0.0)
-    exponent = np.rint(x.real / LOG_2.real)
-    rest = subtract(subtract(x, complex(exponent * LOG_2_FIRST, 0.0)), times(LOG_2_REST, exponent))
-    return shifted(add(_exponential_less_one(rest), ONE), int(exponent))
+    mantissa, exponent = split_exponential(x)
+    return shifted(mantissa, exponent)
 
 
 @compiled
 def exponential_less_one(x: complex) -> complex:
     """The difference e^x - 1, relative to itself."""
     return _exponential_less_one(x) if abs(x.real) < 0.35 else subtract(exponential(x), ONE)
-
-
-@compiled
-def split_exponential(x: complex) -> tuple[complex, int]:
-    """The exponential as a number in [0.7, 1.42] and the exponent of a power of two, however large."""
-    exponent = min(max(np.rint(x.real / LOG_2.real), -MOST_SPLIT_EXPONENT), MOST_SPLIT_EXPONENT)
-    rest = subtract(subtract(x, complex(exponent * LOG_2_FIRST, 0.0)), times(LOG_2_REST, exponent))
-    if abs(exponent) == MOST_SPLIT_EXPONENT:
-        rest = 0j
-    return add(_exponential_less_one(rest), ONE), int(exponent)
 
 
 @compiled

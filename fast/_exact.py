@@ -65,6 +65,21 @@ def definiteness(matrix: Array) -> float:
     return 1.0 if min(minors) > 0 else -1.0
 
 
+def turns_by_pi(linear: Array) -> bool:
+    """Whether the rotation of the polar factors of a matrix (3, 3), which is within rounding of a half turn, is one.
+
+    Of the quaternions, (0, x) is an eigenvector of [[tr L, z^T], [z, M]], M = L + L^T - tr L I, z the vector of
+    L - L^T, if x is one of M across z: then z, M z and M^2 z lie in a plane.
+    """
+    n = integers(linear)
+    z = [[n[2][1] - n[1][2]], [n[0][2] - n[2][0]], [n[1][0] - n[0][1]]]
+    trace = n[0][0] + n[1][1] + n[2][2]
+    m = [[n[i][j] + n[j][i] - trace * (i == j) for j in range(3)] for i in range(3)]
+    once = product(m, z)
+    columns = zip(z, once, product(m, once), strict=True)
+    return determinant([[x, y, w] for (x,), (y,), (w,) in columns]) == 0
+
+
 def orientation_of_vertices(vertices: Array) -> float:
     """1 if a tetrahedron (4, 3) has positive volume, or a triangle (3, 3) an area; else -1."""
     first, *others = integers(vertices)

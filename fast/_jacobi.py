@@ -145,8 +145,8 @@ def _rotation_of_space(linear: Numbers) -> Numbers:
     for i in range(2):
         for j in range(size):
             rows[i, j] = columns[j, order[i]]
-    if rows[1, 0] == 0j and rows[1, 1] == 0j and rows[1, 2] == 0j:
-        # A matrix of rank one, as far as double-doubles can tell: any direction across the first will do.
+    if not abs(dot(rows[0], rows[1]).real) < 0.5 * _size(rows[0]) * _size(rows[1]):
+        # Rounding is all that is left of the second, or nothing: any direction across the first will do.
         x, y, z = rows[0, 0], rows[0, 1], rows[0, 2]
         if abs(x.real) + abs(y.real) >= abs(z.real):
             rows[1, 0], rows[1, 1] = -y, x

@@ -35,7 +35,8 @@ def alexa_2002(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
 def lie(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
     """From B Delta to C Delta as `affine_lie.interpolate_tetrahedra`, Delta the standard simplex 0, e_1, e_2, e_3.
 
-    In the plane the same of its poses in space that leave the third coordinate alone. Bansal and Tatu, equation 4.
+    In the plane the same of its poses in space that leave the third coordinate alone. Half a turn is by +pi from C
+    back to B, and so by -pi from B to C. Bansal and Tatu, equation 4.
     """
     way = affine_way(start, end, t)
     size = way.start.shape[-1] - 1

@@ -6,8 +6,9 @@ theta. As [n]^2 = n n^T - I for the unit axis n,
 
     V = Re phi(z) I + Im phi(z) [n] + (phi(lambda) - Re phi(z)) n n^T,
 
-and its inverse is the same of 1/phi. For |z| <= 1 all three are sums of positive powers: they are what a polynomial
-leaves when divided by x^2 - 2 lambda x + |z|^2, whose roots are z and its conjugate.
+and its inverse is the same of 1/phi. Where |z| is small these are small differences of e^z, 1 and each other; so for
+|z| <= 1 they come from the series of phi. A polynomial P divided by x^2 - 2 lambda x + |z|^2, whose roots are z and its
+conjugate, leaves the rest s x + c with P(z) = s z + c, and (P(lambda) - Re P(z)) / theta^2 is the quotient at lambda.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ def _bernoulli(count: int) -> list[Fraction]:
     coefficients: list[Fraction] = []
     for k in range(count):
         rest = sum(c / math.factorial(k + 1 - j) for j, c in enumerate(coefficients))
-        coefficients.append(int(k == 0) - rest)
+        coefficients.append(Fraction(k == 0) - rest)
     return coefficients
 
 
@@ -83,9 +84,9 @@ def shares(growth: float, angle: float) -> tuple[float, float]:
 
 @compiled
 def coefficients(growth: float, length: float, square: float, turn: Vector) -> tuple[bool, Vector]:
-    """The p, q and r of V = p I + q [a] + r a a^T, the axis a, its length and the turn (c, s, versine) by `rodrigues`.
+    """The p, q and r of V = p I + q [a] + r a a^T, for the axis a, length and turn (c, s, versine) of `rodrigues`.
 
-    If the answer says true, they are to be multiplied by e^lambda.
+    They are to be multiplied by e^lambda if the answer says true.
     """
     _, s, versine = turn
     if length == 1.0 and abs(growth) > HUGE_GROWTH:
@@ -128,12 +129,12 @@ def image(axis: Vector, p: float, q: float, r: float, v: Vector) -> Vector:
 def inverse_coefficients(growth: float, excess: float, angle: float, sine: float, versine: float) -> Vector:
     """The p, q and r of V^-1 = p I + q [n] + r n n^T for the unit axis n.
 
-    ``excess`` is e^lambda - 1; sine and versine, 1 - cos, are those of the angle.
+    ``excess`` is e^lambda - 1; sine and versine, 1 - cos, are those of the angle. The series is one in z^2, which is
+    lambda^2 - theta^2 + 2 i lambda theta, and lambda^2 on the axis.
     """
     square, other = growth * growth, angle * angle
     if square + other <= 1.0:
-        difference = square - other
-        norm = square + other
+        difference, norm = square - other, square + other
         slope, constant, quotient = remainder(INVERSE_PHI, 2.0 * difference, norm * norm, square)
         return (
             fma(-0.5, growth, fma(difference, slope, constant)),

@@ -1,9 +1,29 @@
-"""Arrays of double-doubles: arithmetic, elementary functions and matrices, for maps that are made of several steps.
+"""Maps made of several steps, computed in double-double throughout and rounded once: the arithmetic and the matrices.
 
-A number is a pair (high, low) in the last axis, as stages of kernels hand them to one another: numbers are (..., 2),
-vectors (..., n, 2), matrices (..., k, l, 2), with any leading batch, and everything broadcasts. `widen` makes pairs of
-float64, `rounded` float64 of pairs. The map in between is then as accurate as its last rounding: every function here
-is within 2^-100 of itself, or of its norm where it is a matrix. Numbers may be between 1e-140 and 1e140 in size.
+A map such as "the polar factors of this, the logarithm of one of them, a multiple, the exponential" loses bits in every
+step, and more where one step magnifies the errors of the one before. With 106 bits in between, what is left of them
+after the last rounding is that rounding. So such a map is written like this:
+
+    pose = wide.widen(checked float64 input)            # pairs, with low parts 0
+    ... functions of pairs, on whole batches ...
+    return wide.rounded(result)                         # float64 again
+
+A number is a pair (high, low), its value high + low, high being the value rounded. Pairs are the last axis of float64
+arrays: numbers are (..., 2), vectors (..., d, 2), matrices (..., k, l, 2), homogeneous ones (..., d + 1, d + 1, 2) for
+d = 2 or 3, with any leading batch; everything broadcasts, and an item has the same bits alone as in a batch. To negate
+pairs, or to multiply them by a power of two, is plain NumPy. But for `_wide_rotation.require_rotation` nothing checks
+or refuses: the functions that users call do.
+
+This module has the elementwise functions (the arithmetic in NumPy, which compiles nothing; the others as kernels), and
+products and inverses of matrices. `_wide_rotation` has rotations, their logarithms, exponentials and powers, and
+`_wide_affine` the same for affine maps. Inside of kernels a double-double is a complex number, and the functions are
+those of `_double_double`, `_elementary` and `_numbers`.
+
+Elementwise results are within 2^-102 of themselves, also next to their zeros, as far as the pairs given tell them;
+products of matrices are within 2^-101 of the product of their norms, inverses within 2^-100 of |A^-1|^2 |A|. Numbers
+may be between 1e-140 and 1e140 in size; beyond, low parts or products leave the range of float64.
+
+Source of the arithmetic: see `affinecert.fast._double_double`.
 """
 
 from __future__ import annotations

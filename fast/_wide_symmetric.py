@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from affinecert.fast._double_double import ONE, add, multiply, multiply_add, scaled, subtract, times
-from affinecert.fast._elementary import LOG_TWO, logarithm, split_exponential
+from affinecert.fast._elementary import LOG_2, logarithm, split_exponential
 from affinecert.fast._jacobi import eigenvectors
 from affinecert.fast._kernel import Array, compiled, kernel
 from affinecert.fast._numbers import Numbers, numbers, reduced, shifted, store
@@ -19,8 +19,16 @@ from affinecert.fast._stages import run
 EXPONENTIAL, LOGARITHM, POWER = 0.0, 1.0, 2.0
 """The functions of the stage."""
 
+ALWAYS = np.array(1.0)
+"""The time of what has none."""
+
 UNDECIDED, DEFINITE, NOT_DEFINITE, NOT_SYMMETRIC = 0.0, 1.0, -1.0, -2.0
 """What a matrix is: positive definite, surely or surely not, or not symmetric at all."""
+
+# Exponentials are kept below 2^LARGE until the last step, lest products overflow that are small again in the end.
+LARGE = 900
+# Beyond it the exponential is infinite even then, below its negative 0: it stands for all that are.
+MOST_EXPONENT = 1300.0
 
 # A - A^T may be this part of A in the Frobenius norm: rounding to float32 leaves under 9e-8.
 SYMMETRY = 1e-6
@@ -37,19 +45,21 @@ def _logarithms(values: Numbers, exponent: int) -> None:
         largest = max(largest, values[i].real)
     for i in range(len(values)):
         positive = values[i] if values[i].real > 0.0 else complex(HIDDEN * largest, 0.0)
-        values[i] = add(logarithm(positive), times(LOG_TWO, float(exponent)))
+        values[i] = add(logarithm(positive), times(LOG_2, float(exponent)))
 
 
 @compiled
 def _exponentials(values: Numbers) -> int:
-    """Takes the exponentials, divided by the power of two whose exponent is returned: the largest is of size 1."""
+    """Takes the exponentials, divided by a power of two that keeps the largest in bounds; its exponent is returned."""
     exponents = np.empty(len(values), dtype=np.int64)
     for i in range(len(values)):
+        if not abs(values[i].real) < MOST_EXPONENT:
+            values[i] = complex(math.copysign(MOST_EXPONENT, values[i].real), 0.0)
         values[i], exponents[i] = split_exponential(values[i])
-    largest = int(max(exponents))
+    excess = max(int(max(exponents)) - LARGE, 0)
     for i in range(len(values)):
-        values[i] = shifted(values[i], exponents[i] - largest)
-    return largest
+        values[i] = shifted(values[i], exponents[i] - excess)
+    return excess
 
 
 @compiled
@@ -76,9 +86,14 @@ def _definiteness(values: Numbers) -> float:
     return DEFINITE if smallest > 0.0 else NOT_DEFINITE
 
 
-@kernel(inputs={"matrix": ("d", "d", 2), "t": (), "function": ()}, outputs=(("d", "d", 2), ()), sizes=(2, 3))
-def symmetric(matrix: Array, t: float, function: float, result: Array, kind: Array, _status: Array) -> None:
-    """The function of a matrix, for `POWER` the t-th power, exact at 0 and 1; and what the matrix is."""
+@kernel(inputs={"matrix": ("d", "d", 2), "t": (), "function": ()}, outputs=(("d", "d", 2), (), ()), sizes=(2, 3))
+def symmetric(
+    matrix: Array, t: float, function: float, result: Array, scale: Array, kind: Array, _status: Array
+) -> None:
+    """The function of a matrix, but for a power of two, whose exponent is the scale; and what the matrix is.
+
+    For `POWER` it is the t-th power, exact at 0 and 1.
+    """
     diagonal = numbers(matrix)
     size = diagonal.shape[0]
     exponent = reduced(diagonal)
@@ -105,13 +120,30 @@ def symmetric(matrix: Array, t: float, function: float, result: Array, kind: Arr
         for j in range(i + 1):
             for k in range(size):
                 answer[i, j] = multiply_add(multiply(vectors[i, k], values[k]), vectors[j, k], answer[i, j])
-            answer[i, j] = shifted(answer[i, j], power)
             if function == POWER and t == 0.0:
                 answer[i, j] = ONE if i == j else 0j
             elif function == POWER and t == 1.0:
-                answer[i, j] = shifted(part[j, i], exponent)
+                answer[i, j] = shifted(part[j, i], exponent - power)
             answer[j, i] = answer[i, j]
     store(answer, result)
+    scale[0] = power
+
+
+def function_of(matrix: Array, t: Array, function: float) -> tuple[Array, Array]:
+    """A function of symmetric matrices, and what the matrices are."""
+    result, scale, kind = run(symmetric, matrix, t, np.array(function))
+    return _rescaled(result, scale), kind
+
+
+@np.errstate(over="ignore", under="ignore")
+def _rescaled(result: Array, scale: Array) -> Array:
+    return np.ldexp(result, scale.astype(np.int64)[..., None, None, None]) if scale.any() else result
+
+
+def reduced_exponential(matrix: Array) -> tuple[Array, Array]:
+    """The exponential of a symmetric matrix but for a power of two beyond the range, and that one's exponent (...)."""
+    result, scale, _ = run(symmetric, matrix, ALWAYS, np.array(EXPONENTIAL))
+    return result, scale.astype(np.int64)
 
 
 def symmetric_exponential(matrix: Array) -> Array:
@@ -119,14 +151,14 @@ def symmetric_exponential(matrix: Array) -> Array:
 
     An entry off the diagonal is the mean of the two that are given.
     """
-    return run(symmetric, matrix, np.array(1.0), np.array(EXPONENTIAL))[0]
+    return function_of(matrix, ALWAYS, EXPONENTIAL)[0]
 
 
 def symmetric_logarithm(matrix: Array) -> Array:
     """The logarithm of a symmetric positive definite matrix, pairs (..., d, d, 2), d = 2 or 3."""
-    return run(symmetric, matrix, np.array(1.0), np.array(LOGARITHM))[0]
+    return function_of(matrix, ALWAYS, LOGARITHM)[0]
 
 
 def symmetric_power(matrix: Array, t: Array) -> Array:
     """The power S^t = exp(t log S) of a symmetric positive definite matrix, pairs (..., d, d, 2), for a float64 t."""
-    return run(symmetric, matrix, t, np.array(POWER))[0]
+    return function_of(matrix, t, POWER)[0]

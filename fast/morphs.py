@@ -5,7 +5,7 @@ of them only), and ``t`` (...), any number, and gives the pose at t, (..., n, n)
 b and c are the translations of B and C, L_X is the linear part of a pose X, and L_X = R_X S_X are its polar factors, a
 rotation and a symmetric positive definite stretch. Powers and logarithms are principal; where a rotation is by pi
 exactly, in the plane its angle is pi and in space the first component of its vector that is not 0 is positive.
-Everything is computed in double-double arithmetic and rounded once.
+Everything is computed in double-double arithmetic and rounded once; entries may be between 1e-140 and 1e140 in size.
 
 Each raises InputError for a wrong shape or dtype, numbers that are not finite, a last row other than 0 ... 0 1, a
 determinant of a linear part that is not positive, and for what it says besides.

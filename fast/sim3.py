@@ -25,6 +25,9 @@ NOT_SIMILAR = "not a similarity: |L^T L - I| is above 1e-6 (Frobenius norm), for
 LAST_ROW = "last row is not (0, 0, 0, 1)"
 SINGULAR = "V is singular: whole turns of a pose that neither turns nor grows"
 
+# Up to this e^lambda is 1 and something smaller.
+SMALL_GROWTH = 0.5
+
 # exp of half of this is still far from overflow.
 LARGE_GROWTH = 700.0
 
@@ -39,18 +42,23 @@ def _exp(tangent: Array, pose: Array, _status: Array) -> None:
     growth = tangent[6]
     axis, length, square, turn = rodrigues((tangent[0], tangent[1], tangent[2]))
     grows, (p, q, r) = coefficients(growth, length, square[0], turn)
-    # e^lambda, or twice its root where it may overflow.
-    factor, again = math.exp(growth), 1.0
-    if abs(growth) > LARGE_GROWTH:
-        factor = again = math.exp(0.5 * growth)
+    # e^lambda, or its square root, to be applied twice, where it may overflow.
+    small, large = abs(growth) < SMALL_GROWTH, abs(growth) > LARGE_GROWTH
+    rise = math.expm1(growth) if small else 0.0
+    factor = 1.0 + rise if small else math.exp(0.5 * growth if large else growth)
     c, s, a = turn
     write_rotation(axis, (factor * c, factor * s, factor * a), pose)
+    if small and length == 1.0:
+        # As 1 and what is little beside it the diagonal is rounded but once.
+        for i in range(3):
+            j, k = axis[(i + 1) % 3], axis[(i + 2) % 3]
+            pose[i, i] = 1.0 + fma(-factor * a, fma(j, j, k * k), rise)
     translation = image(axis, p, q, r, (tangent[3], tangent[4], tangent[5]))
     for i in range(3):
         pose[i, 3] = translation[i] * factor if grows else translation[i]
-        if again != 1.0:
+        if large:
             for j in range(4 if grows else 3):
-                pose[i, j] *= again
+                pose[i, j] *= factor
     pose[3, 0] = pose[3, 1] = pose[3, 2] = 0.0
     pose[3, 3] = 1.0
 
@@ -61,6 +69,13 @@ def exp(tangent: ArrayLike) -> Array:
     tangent (..., 7), omega in radians and of any length; gives (..., 4, 4), whose linear part is e^lambda times the
     `so3.exp` of omega and whose translation is V v, V the sum of Gamma^k / (k + 1)!. Raises InputError for a wrong
     shape or dtype and for numbers that are not finite. Propositions 2.1 and 2.2.
+
+    >>> from math import log, pi
+    >>> exp([0.0, 0.0, pi / 2, 0.0, 0.0, log(2.0), log(2.0)]).round(15) + 0.0  # a quarter turn, twice as large
+    array([[ 0., -2.,  0.,  0.],
+           [ 2.,  0.,  0.,  0.],
+           [ 0.,  0.,  2.,  1.],
+           [ 0.,  0.,  0.,  1.]])
     """
     return _exp(tangent)[0]
 
@@ -140,8 +155,8 @@ def _condition(tangent: Array, ratio: Array, _status: Array) -> None:
     length, length_low = square_root(*dot(omega, omega)) if largest > 0.0 else (0.0, 0.0)
     half, low = math.ldexp(length, exponent - 1), math.ldexp(length_low, exponent - 1)
     angle = 2.0 * half
-    # What makes it more than 1: how much shorter than the angle twice the sine of half of it, times (lambda / 2) /
-    # sinh(lambda / 2), is.
+    # What keeps it from being 1 is the part of the angle by which 2 sin(theta / 2) (lambda / 2) / sinh(lambda / 2) is
+    # shorter.
     if half < 1.0 and growth < 2.0:
         shorter = half * half * remainder(PHI, 0.0, half * half, 0.0)[2]
         square = 0.25 * growth * growth
@@ -161,7 +176,7 @@ def condition(tangent: ArrayLike) -> Array:
     """The condition number of V in the 2-norm.
 
     tangent (..., 7), (omega, v, lambda) of any length; gives (...): |z| / |lambda + 2 i sin(theta / 2) c| for z =
-    lambda + i theta and c = (lambda / 2) / sinh(lambda / 2). It is infinite for lambda = 0 and whole turns, which no
-    float64 are: 1e16 is what it reaches. Raises InputError for a wrong shape or dtype and numbers that are not finite.
+    lambda + i theta and c = (lambda / 2) / sinh(lambda / 2). It would be infinite for lambda = 0 and whole turns, which
+    no float64 are (Proposition 3.1). Raises InputError for a wrong shape or dtype and numbers that are not finite.
     """
     return _condition(tangent)[0]

@@ -8,20 +8,21 @@ Source: Kaji and Ochiai, "A concise parametrisation of affine transformation", 2
 
 from __future__ import annotations
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from affinecert.fast._exact import definiteness
 from affinecert.fast._kernel import Array, checked
-from affinecert.fast._stages import refuse, run, settle
+from affinecert.fast._stages import refuse, settle
+from affinecert.fast._wide import rounded, widen
 from affinecert.fast._wide_symmetric import (
+    ALWAYS,
     EXPONENTIAL,
     LOGARITHM,
     NOT_DEFINITE,
     NOT_SYMMETRIC,
     POWER,
     UNDECIDED,
-    symmetric,
+    function_of,
 )
 
 ASYMMETRY = "not symmetric: A - A^T is further than 1e-6 |A| from 0"
@@ -41,7 +42,7 @@ def exp(matrix: ArrayLike) -> Array:
            [0.        , 0.        , 2.        ]])
     """
     (given,), _, _ = checked({"matrix": (3, 3)}, (matrix,))
-    return _function(given, np.array(1.0), EXPONENTIAL)
+    return _function(given, ALWAYS, EXPONENTIAL)
 
 
 def log(matrix: ArrayLike) -> Array:
@@ -51,7 +52,7 @@ def log(matrix: ArrayLike) -> Array:
     InputError as `exp` does, and for matrices that are not positive definite, however little they are off.
     """
     (given,), _, _ = checked({"matrix": (3, 3)}, (matrix,))
-    return _function(given, np.array(1.0), LOGARITHM)
+    return _function(given, ALWAYS, LOGARITHM)
 
 
 def power(matrix: ArrayLike, t: ArrayLike) -> Array:
@@ -66,11 +67,10 @@ def power(matrix: ArrayLike, t: ArrayLike) -> Array:
 
 def _function(matrix: Array, t: Array, function: float) -> Array:
     """A function of the stage, rounded; refuses what is outside its domain."""
-    wide = np.stack([matrix, np.zeros_like(matrix)], axis=-1)
-    result, kind = run(symmetric, wide, t, np.array(function))
+    result, kind = function_of(widen(matrix), t, function)
     own = matrix.shape[:-2]
     refuse(kind, NOT_SYMMETRIC, "matrix", ASYMMETRY, own)
     if function != EXPONENTIAL:
         settle(kind, UNDECIDED, definiteness, matrix)
         refuse(kind, NOT_DEFINITE, "matrix", INDEFINITE, own)
-    return np.ascontiguousarray(result[..., 0])
+    return rounded(result)

@@ -79,3 +79,9 @@ def near_rigid(pose: Array) -> Answer:
     """A homogeneous matrix whose linear part stands for the nearest rotation."""
     _, error = near_rotation(pose[LINEAR]).parts["rotation"]
     return Answer(pose, {"rotation": (LINEAR, error), "translation": (TRANSLATION, CTX.zero)})
+
+
+def near_symmetric(matrix: Array, name: str) -> Answer:
+    """A matrix that stands for its symmetric part, as the part of that name."""
+    value = exact(matrix)
+    return rounded(Inexact((value + value.T) / 2), name)

@@ -11,7 +11,7 @@ from hypothesis.strategies import SearchStrategy
 from affinecert.draw import Draw
 from affinecert.map import Array
 from affinecert.properties.strategies import drawn, poses, shears
-from affinecert.sampling import homogeneous, vector
+from affinecert.sampling import homogeneous, quarter_turns, vector
 
 CANONICAL = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 """The canonical tetrahedron of bansal_tatu, section 3, a vertex a row."""
@@ -78,6 +78,16 @@ def _frame(draw: Draw, size: int) -> Array:
 def with_frame(arguments: SearchStrategy[tuple[Array, ...]]) -> SearchStrategy[tuple[Array, ...]]:
     """The arguments of a map, the first a homogeneous matrix, and a change of frame with few bits and det > 0."""
     return arguments.flatmap(lambda given: drawn(lambda draw: (*given, _frame(draw, len(given[0]) - 1))))
+
+
+def with_quarter_turns(matrices: SearchStrategy[Array]) -> SearchStrategy[tuple[Array, ...]]:
+    """A linear map, and two rotations of its size with entries 0 and +-1."""
+
+    def turns(draw: Draw, matrix: Array) -> tuple[Array, ...]:
+        options = quarter_turns(len(matrix))
+        return matrix, draw.choice(options), draw.choice(options)
+
+    return matrices.flatmap(lambda matrix: drawn(lambda draw: turns(draw, matrix)))
 
 
 def _scaling(draw: Draw) -> float:

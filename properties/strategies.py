@@ -146,6 +146,21 @@ def shears() -> SearchStrategy[Array]:
     return _first("shear.log")
 
 
+def symmetric_matrices() -> SearchStrategy[Array]:
+    """Symmetric matrices (3, 3), eigenvalues at any distance to each other and to 0."""
+    return _first("sym3.exp")
+
+
+def stretches() -> SearchStrategy[Array]:
+    """Symmetric positive definite matrices (3, 3), eigenvalues at any distance and in any ratio to each other."""
+    return _first("sym3.log")
+
+
+def linear_maps() -> SearchStrategy[Array]:
+    """Linear maps (2, 2) and (3, 3) of positive determinant, singular values at any distance to each other and to 0."""
+    return _first("polar.decompose")
+
+
 def scales() -> SearchStrategy[Array]:
     """Positive scale factors, 0-d."""
     return _first("scale.log")

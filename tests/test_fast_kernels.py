@@ -26,7 +26,7 @@ from affinecert.map import Map
 
 MAPS = tuple(CATALOGUE.values())
 SEVERAL = tuple(entry for entry in MAPS if len(entry.arguments) > 1)
-FREE = {"times"}
+FREE = {"times", "segments", "dims"}
 """Last sizes of arguments that may be any number."""
 
 BATCH = 6

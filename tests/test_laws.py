@@ -102,6 +102,16 @@ def unscaled_rotation(maps: Maps) -> Function:
     return decompose
 
 
+def on_the_left(maps: Maps) -> Function:
+    """The polar factors of L = S R, and these with an S that is not symmetric."""
+
+    def decompose(linear: Array) -> tuple[Array, Array]:
+        rotation, _ = maps["polar.decompose"](linear)
+        return rotation, linear @ rotation
+
+    return decompose
+
+
 def in_another_order(maps: Maps) -> Function:
     """The product E A S for A S E."""
 
@@ -174,6 +184,7 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "existence.region": ("sam.exists", always),
     "decomposition.existence": ("affine_lie.decompose", sheared_wrongly),
     "decomposition.composition": ("affine_lie.compose", in_another_order),
+    "decomposition.polar": ("polar.decompose", on_the_left),
     "decomposition.uniqueness": ("affine_lie.decompose", sheared_wrongly),
     "exp_log.so3.log": ("so3.exp", transposed),
     "exp_log.so3.exp": ("so3.exp", transposed),
@@ -187,6 +198,8 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "exp_log.shear.exp": ("shear.log", scaled("shear.log", 1 + 1e-12)),
     "exp_log.scale.log": ("scale.log", scaled("scale.log", 1 + 1e-12)),
     "exp_log.scale.exp": ("scale.log", scaled("scale.log", 1 + 1e-12)),
+    "exp_log.sym3.log": ("sym3.log", scaled("sym3.log", 1 + 1e-12)),
+    "exp_log.sym3.exp": ("sym3.log", scaled("sym3.log", 1 + 1e-12)),
     "exp_log.sam.log": ("sam.power", in_time("sam.power", np.square)),
     "one_parameter.so3.exp": ("so3.exp", of_the_cube("so3.exp")),
     "one_parameter.se3.exp": ("se3.exp", of_the_cube("se3.exp")),
@@ -196,6 +209,8 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "similarity.rigid.log": ("sim3.log", scaled("sim3.log", 1 + 1e-12)),
     "one_parameter.shear.exp": ("shear.exp", of_the_cube("shear.exp")),
     "one_parameter.scale.exp": ("scale.exp", of_the_cube("scale.exp")),
+    "one_parameter.sym3.exp": ("sym3.exp", of_the_cube("sym3.exp")),
+    "one_parameter.sym3.power": ("sym3.power", in_time("sym3.power", np.square)),
     "one_parameter.sam.power": ("sam.power", straight_translation),
     "closure.so3.exp": ("so3.exp", first_order),
     "closure.so3.log": ("so3.log", scaled("so3.log", 2.0)),
@@ -203,6 +218,10 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "closure.se3.log": ("se3.log", scaled("se3.log", 2.0)),
     "closure.shear.exp": ("shear.exp", nudged("shear.exp", (2, 1), 1e-300)),
     "closure.scale.exp": ("scale.exp", negative("scale.exp")),
+    "closure.sym3.exp": ("sym3.exp", nudged("sym3.exp", (0, 1), 1.0)),
+    "closure.sym3.log": ("sym3.log", nudged("sym3.log", (0, 1), 1.0)),
+    "closure.sym3.power": ("sym3.power", nudged("sym3.power", (0, 1), 1.0)),
+    "closure.polar.decompose": ("polar.decompose", on_the_left),
     "closure.affine_lie.decompose": ("affine_lie.decompose", unscaled_rotation),
     "closure.affine_lie.represent": ("affine_lie.represent", unscaled_rotation),
     "closure.affine_lie.interpolate": ("affine_lie.interpolate", nudged("affine_lie.interpolate", (3, 3), 1e-15)),
@@ -210,6 +229,7 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "closure.sam.power": ("sam.power", nudged("sam.power", (-1, 0), 1e-300)),
     "closure.sam.morph": ("sam.morph", nudged("sam.morph", (-1, 0), 1e-300)),
     "equivariance.sam.power": ("sam.power", straight_translation),
+    "equivariance.polar.decompose": ("polar.decompose", on_the_left),
     "equivariance.sam.morph": ("sam.morph", nudged("sam.morph", (0, -1), 1e-3)),
     "endpoints.affine_lie.interpolate": (
         "affine_lie.interpolate",
@@ -226,6 +246,15 @@ BROKEN: Mapping[str, tuple[str, Break]] = {
     "endpoints.sam.power": ("sam.power", in_time("sam.power", lambda t: t * (1 + 1e-12))),
     "fixed_point.sam": ("sam.fixed_point", scaled("sam.fixed_point", 1 + 1e-12)),
     "endpoints.sam.morph": ("sam.morph", in_time("sam.morph", lambda t: t * (1 + 1e-12))),
+    "coincidence.sclerp": ("morphs.sclerp", nudged("morphs.sclerp", (0, 0), 1e-3)),
+    "coincidence.lie": ("morphs.lie", nudged("morphs.lie", (0, 0), 1e-3)),
+    "coincidence.log_spiral": ("morphs.log_spiral", nudged("morphs.log_spiral", (0, 0), 1e-3)),
+    "coincidence.alexa_2002": ("morphs.alexa_2002", nudged("morphs.alexa_2002", (0, 0), 1e-3)),
+    "coincidence.arap": ("morphs.arap", nudged("morphs.arap", (0, 0), 1e-3)),
+    "coincidence.asap": ("morphs.asap", nudged("morphs.asap", (0, 0), 1e-3)),
+    "coincidence.polar_exponential": ("morphs.polar_exponential", nudged("morphs.polar_exponential", (0, 0), 1e-3)),
+    "great_arcs.reversibility": ("quaternion.slerp", in_time("quaternion.slerp", np.square)),
+    "great_arcs.invariance": ("quaternion.slerp", nudged("quaternion.slerp", 0, 1e-3)),
 }
 """For each law a map that it needs, and how it is broken."""
 

@@ -74,6 +74,35 @@ def test_v_is_not_a_number_where_the_cube_underflows() -> None:
     assert judged("se3.exp", np.array([0.0, 0.0, 1e-120, 1.0, 0.0, 0.0])).verdict is Verdict.NON_FINITE
 
 
+@pytest.mark.parametrize(("growth", "loss"), [(1e-3, 1e-14), (1e-6, 1e-11), (1e-9, 1e-8), (1e-12, 1e-5), (1e-15, 1e-2)])
+@pytest.mark.parametrize("angle", [1.0, 1e-6])
+def test_v_of_a_similarity_is_lost_as_the_growth_vanishes(growth: float, loss: float, angle: float) -> None:
+    tangent = np.array([0.6 * angle, 0.0, -0.8 * angle, 1.0, 2.0, -0.5, growth])
+    assert loss < judged("sim3.exp", tangent).forward * UNIT < 100 * loss
+
+
+def test_the_logarithm_of_a_similarity_by_the_trace_is_nothing_near_no_rotation() -> None:
+    pose = np.eye(4)
+    pose[:3, :3] = 2 * turn([1.0, 2.0, 3.0], 1e-9)
+    assert judged("sim3.log", pose).forward * UNIT >= 1
+
+
+@pytest.mark.parametrize("growth", [0.0, 0.7, -3.0])
+@pytest.mark.parametrize("angle", [0.0, 1.0, 2.0])
+def test_every_case_of_theorem_2_3_is_right_as_printed(angle: float, growth: float) -> None:
+    tangent = np.array([0.6 * angle, 0.0, -0.8 * angle, 1.0, 2.0, -0.5, growth])
+    assert judged("sim3.exp", tangent).scaled < 16
+    pose = printed.sim3_exp(tangent)
+    assert judged("sim3.log", pose).scaled < 16
+    assert judged("sim3.log_next", pose, 2 * tangent).scaled < 16
+    assert judged("sim3.log_near", pose, tangent * 4).scaled < 64
+
+
+def test_half_turns_have_their_case_in_section_4() -> None:
+    pose = np.diag([-2.0, 2.0, -2.0, 1.0])
+    assert judged("sim3.log", pose).scaled < 16
+
+
 @pytest.mark.parametrize(("gap", "loss"), [(1e-6, 1e-5), (1e-15, 1.0)])
 def test_shear_exp_loses_by_the_square_of_the_gap(gap: float, loss: float) -> None:
     twists = [np.array([1.0, ratio * gap, 0.3, 0.7, gap]) for ratio in (2.0, 1.5, 3.1, -1.0)]

@@ -6,14 +6,48 @@ from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from types import MappingProxyType
 
-from affinecert.catalogue import affine_lie, measures, morphs, quaternion, sam, scale, se3, shear, sim3, so3, sym3
+from affinecert.catalogue import (
+    affine_lie,
+    homotopy2,
+    kaji_ochiai,
+    measures,
+    mesh2,
+    mesh3,
+    morphs,
+    polar,
+    quaternion,
+    sam,
+    scale,
+    se3,
+    shear,
+    sim3,
+    so3,
+    sym3,
+)
 from affinecert.errors import UnknownNameError
 from affinecert.map import Map
 
 CATALOGUE: Mapping[str, Map] = MappingProxyType(
     {
         entry.name: entry
-        for family in (so3, se3, sim3, scale, shear, sym3, affine_lie, sam, quaternion, morphs, measures)
+        for family in (
+            so3,
+            se3,
+            sim3,
+            scale,
+            shear,
+            sym3,
+            polar,
+            affine_lie,
+            sam,
+            quaternion,
+            kaji_ochiai,
+            morphs,
+            homotopy2,
+            mesh2,
+            mesh3,
+            measures,
+        )
         for entry in family.MAPS
     }
 )

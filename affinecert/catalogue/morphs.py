@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from affinecert.catalogue import pose_pairs
+from affinecert.catalogue import conformal_pairs, pose_pairs
 from affinecert.catalogue.parts import LINEAR, LINEAR_BLOCKS, TIME, TRANSLATION
 from affinecert.catalogue.pose_pairs import Pair, about_times, regimes
 from affinecert.map import Argument, Group, Map, Regime
@@ -37,6 +37,9 @@ BETWEEN_TURNS = (pose_pairs.NEAR_PI, pose_pairs.AT_PI)
 FROM_THE_IDENTITY = (pose_pairs.ONE_POSE_NEAR_PI, pose_pairs.ONE_POSE_AT_PI)
 """What the morphs are tried on that turn both poses from the identity."""
 
+CONDITION = "The condition is against perturbations of each linear part as a whole, and of each translation."
+CONTINUED = "At half a turn, where the morph jumps, and beside it, the condition is that of one branch."
+
 POSES = "det B > 0, det C > 0, last rows 0 ... 0 1; every t"
 
 
@@ -54,11 +57,8 @@ def _tried_on(turned: Iterable[Pair]) -> tuple[Regime, ...]:
     )
 
 
-def _in_space(pairs: tuple[Pair, ...], outside: Pair) -> tuple[Regime, ...]:
-    return (
-        *regimes((*pairs, outside), (3,), IN_SPACE_ALONE),
-        *about_times(pairs[0], (3,), IN_SPACE_ALONE),
-    )
+def _in_space(pairs: tuple[Pair, ...]) -> tuple[Regime, ...]:
+    return (*regimes(pairs, (3,), IN_SPACE_ALONE), *about_times(pairs[0], (3,), IN_SPACE_ALONE))
 
 
 def _morph(
@@ -70,8 +70,8 @@ def _morph(
     domain: str = POSES,
     size: int | str = "n",
     cost: float = 8.0,
-    remark: str = "",
 ) -> Map:
+    continuation = reference.CONTINUATIONS.get(name)
     return Map(
         name=f"morphs.{name}",
         definition=definition,
@@ -82,10 +82,10 @@ def _morph(
         blocks=LINEAR_BLOCKS,
         regimes=tried_on,
         reference=reference.MORPHS[name],
-        continuation=reference.CONTINUATIONS.get(name),
+        continuation=continuation,
         accuracy=8.0,
         cost=cost,
-        remark=remark,
+        remark=CONDITION if continuation is None else f"{CONDITION} {CONTINUED}",
     )
 
 
@@ -168,7 +168,7 @@ MAPS = (
         "exp((1 - t) X + t Y), X = sim3.log(B), Y = sim3.log_next(C, X)",
         "gallier, section 5",
         (
-            *_in_space(pose_pairs.IN_SIMILARITIES, pose_pairs.NOT_SIMILAR),
+            *_in_space(conformal_pairs.SIMILAR),
             *regimes(FROM_THE_IDENTITY, (3,), IN_SPACE_ALONE),
         ),
         domain="B and C similar to within 1e-6, the nearest rotations count; last rows 0 0 0 1; every t",
@@ -178,7 +178,7 @@ MAPS = (
         "sclerp",
         "B exp(t log(B^-1 C))",
         "Kavan and others 2008, as in rossignac_vinacua, section 3.3.1",
-        _in_space(pose_pairs.IN_RIGID_MOTIONS, pose_pairs.NOT_RIGID),
+        _in_space(conformal_pairs.RIGID),
         domain=RIGID,
         size=4,
     ),
@@ -186,7 +186,7 @@ MAPS = (
         "dual_quaternion_linear",
         "normalised (1 - t) p + t s q, p, q the unit dual quaternions of B, C, s the sign of their real parts' product",
         "Kavan and others 2008 (DLB), as in rossignac_vinacua, section 3.3.1",
-        _in_space(pose_pairs.IN_RIGID_MOTIONS, pose_pairs.NOT_RIGID),
+        _in_space(conformal_pairs.RIGID),
         domain=RIGID,
         size=4,
     ),

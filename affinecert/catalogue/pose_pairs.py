@@ -15,7 +15,6 @@ import numpy as np
 
 from affinecert.catalogue import spectra, turns
 from affinecert.catalogue.times import about_time, timed
-from affinecert.catalogue.turns import Turn, Turns
 from affinecert.draw import Draw
 from affinecert.map import Array, Point, Regime
 from affinecert.sampling import any_rotation, half_turns, homogeneous, quarter_turns, signed, vector, well_conditioned
@@ -56,7 +55,8 @@ def _untimed(pair: Pair, size: int, share: float) -> Regime:
     return Regime(f"{pair.name}-{size}d", build, pair.distance, share * pair.share)
 
 
-def _placed(draw: Draw, linear: Array) -> Array:
+def placed(draw: Draw, linear: Array) -> Array:
+    """A pose of that linear part."""
     return homogeneous(linear, vector(draw, size=len(linear)))
 
 
@@ -82,18 +82,18 @@ def _diagonal(draw: Draw, size: int) -> Array:
 
 
 def _generic(draw: Draw, size: int) -> Ends:
-    start, end = _placed(draw, well_conditioned(draw, size)), _placed(draw, well_conditioned(draw, size))
+    start, end = placed(draw, well_conditioned(draw, size)), placed(draw, well_conditioned(draw, size))
     return start, end, float(np.linalg.norm(end - start))
 
 
 def _near_identity(draw: Draw, size: int) -> Ends:
-    start, gap = _placed(draw, well_conditioned(draw, size)), draw.exponent(-16, -1)
+    start, gap = placed(draw, well_conditioned(draw, size)), draw.exponent(-16, -1)
     step = homogeneous(np.eye(size) + gap * draw.direction(size * size).reshape(size, size), gap * draw.direction(size))
     return start, step @ start, gap
 
 
 def _equal(draw: Draw, size: int) -> Ends:
-    start = _placed(draw, well_conditioned(draw, size))
+    start = placed(draw, well_conditioned(draw, size))
     return start, start.copy(), float(np.linalg.norm(start))
 
 
@@ -101,7 +101,7 @@ def _near_pi(draw: Draw, size: int) -> Ends:
     # Poses tell the angle between them to a few u; none closer to pi than 1e-12 is surely on its side of the jump.
     gap, rotation = draw.exponent(-12, 0), any_rotation(draw, size)
     end = _turn(draw, size, gap) @ rotation @ _diagonal(draw, size)
-    return _placed(draw, draw.uniform(0.5, 2.0) * rotation), _placed(draw, end), gap
+    return placed(draw, draw.uniform(0.5, 2.0) * rotation), placed(draw, end), gap
 
 
 def _exact_half_turn(draw: Draw, size: int) -> Array:
@@ -113,7 +113,7 @@ def _at_pi(draw: Draw, size: int) -> Ends:
     rotation, scale = draw.choice(quarter_turns(size)), 2.0 ** draw.choice(range(-3, 4))
     stretch = np.diag([2.0 ** draw.choice(range(-3, 4)) for _ in range(size)])
     start, end = scale * rotation, _exact_half_turn(draw, size) @ rotation @ stretch
-    return _placed(draw, start), _placed(draw, end), scale
+    return placed(draw, start), placed(draw, end), scale
 
 
 def _one_pose_near_pi(draw: Draw, size: int) -> Ends:
@@ -121,29 +121,29 @@ def _one_pose_near_pi(draw: Draw, size: int) -> Ends:
     gap, (small, _) = draw.exponent(-12, 0), _short_turn(draw, size)
     far, near = _turn(draw, size, gap) * draw.uniform(0.5, 2.0), small * draw.uniform(0.5, 2.0)
     first, last = draw.choice(((far, near), (near, far)))
-    return _placed(draw, first), _placed(draw, last), gap
+    return placed(draw, first), placed(draw, last), gap
 
 
 def _one_pose_at_pi(draw: Draw, size: int) -> Ends:
     far, scale = _exact_half_turn(draw, size), 2.0 ** draw.choice(range(-3, 4))
     near = scale * draw.choice(quarter_turns(size)[:2])
     first, last = draw.choice(((far, near), (near, far)))
-    return _placed(draw, first), _placed(draw, last), scale
+    return placed(draw, first), placed(draw, last), scale
 
 
 def _pure_translation(draw: Draw, size: int) -> Ends:
     linear, size_of_way = well_conditioned(draw, size), draw.exponent(-3, 3)
-    return _placed(draw, linear), homogeneous(linear, size_of_way * draw.direction(size)), size_of_way
+    return placed(draw, linear), homogeneous(linear, size_of_way * draw.direction(size)), size_of_way
 
 
 def _rigid(draw: Draw, size: int) -> Ends:
     start, (turn, angle) = any_rotation(draw, size), _short_turn(draw, size)
-    return _placed(draw, start), _placed(draw, turn @ start), angle
+    return placed(draw, start), placed(draw, turn @ start), angle
 
 
 def _similar(draw: Draw, size: int) -> Ends:
     start, (turn, _), scale = any_rotation(draw, size), _short_turn(draw, size), 10.0 ** signed(draw, -8, 0.5)
-    return _placed(draw, draw.exponent(-3, 3) * start), _placed(draw, scale * turn @ start), abs(scale - 1)
+    return placed(draw, draw.exponent(-3, 3) * start), placed(draw, scale * turn @ start), abs(scale - 1)
 
 
 def _sheared(draw: Draw, size: int) -> Ends:
@@ -151,7 +151,7 @@ def _sheared(draw: Draw, size: int) -> Ends:
     amount, linear = signed(draw, -8, 1), well_conditioned(draw, size)
     shear = np.eye(size)
     shear[0, size - 1] = amount
-    return _placed(draw, linear), _placed(draw, shear @ linear), abs(amount)
+    return placed(draw, linear), placed(draw, shear @ linear), abs(amount)
 
 
 def _stretched(draw: Draw, size: int) -> Ends:
@@ -160,20 +160,20 @@ def _stretched(draw: Draw, size: int) -> Ends:
     thin, other = (well_conditioned(draw, size) @ np.diag([x] + [1.0] * (size - 1)) for x in (thinness, 1.0))
     other = other @ np.diag(draw.choice(([1.0] * size, [1.0] * (size - 1) + [thinness])))
     first, last = draw.choice(((thin, other), (other, thin)))
-    return _placed(draw, first), _placed(draw, last), thinness
+    return placed(draw, first), placed(draw, last), thinness
 
 
 def _far(draw: Draw, size: int) -> Ends:
-    start, end, distance = _generic(draw, size)
+    start, end, _ = _generic(draw, size)
     length = draw.exponent(-100, 100)
     start[:-1, -1], end[:-1, -1] = (length * draw.direction(size) for _ in range(2))
-    return start, end, length if distance else 0.0
+    return start, end, length
 
 
 def _logarithmic(draw: Draw, size: int) -> Ends:
     """Poses that have a logarithm each."""
     (first, gap), (last, _) = spectra.GENERIC.build(draw, size), spectra.GENERIC.build(draw, size)
-    return _placed(draw, first), _placed(draw, last), gap
+    return placed(draw, first), placed(draw, last), gap
 
 
 def _logarithmic_by(kind: spectra.Spectrum) -> Callable[[Draw, int], Ends]:
@@ -182,46 +182,9 @@ def _logarithmic_by(kind: spectra.Spectrum) -> Callable[[Draw, int], Ends]:
     def build(draw: Draw, size: int) -> Ends:
         (pose, distance), (other, _) = kind.build(draw, size), spectra.GENERIC.build(draw, size)
         first, last = draw.choice(((pose, other), (other, pose)))
-        return _placed(draw, first), _placed(draw, last), distance
+        return placed(draw, first), placed(draw, last), distance
 
     return build
-
-
-def _by_turn(
-    kind: Turns, scale: Callable[[Draw], float], starts: tuple[Array, ...] = ()
-) -> Callable[[Draw, int], Ends]:
-    """Poses in space turned against each other by a turn of that kind, each of its own scale.
-
-    The start is turned anyhow, or as one of ``starts``.
-    """
-
-    def build(draw: Draw, size: int) -> Ends:
-        turn, start = kind.build(draw), draw.choice(starts) if starts else any_rotation(draw, size)
-        return _placed(draw, scale(draw) * start), _placed(draw, scale(draw) * turn.matrix @ start), turn.distance
-
-    return build
-
-
-def _short_of_pi(draw: Draw) -> Turn:
-    gap = draw.exponent(-12, 0)
-    return turns.short_of_pi(draw.direction(3), gap, gap)
-
-
-def _conformal(scale: Callable[[Draw], float]) -> tuple[Pair, ...]:
-    """The pairs in space of which the first, the second and so on differ by a turn: generic, next to none, by pi."""
-    kinds = (
-        turns.GENERIC,
-        turns.NEAR_IDENTITY,
-        turns.COORDINATE_AXIS,
-        Turns("near-pi", "pi - angle", _short_of_pi),
-        turns.OFF_MANIFOLD,
-    )
-    exact = tuple(_by_turn(kind, scale, quarter_turns()) for kind in (turns.AT_PI, turns.COORDINATE_AXIS_AT_PI))
-    return (
-        *(Pair(kind.name, kind.distance, _by_turn(kind, scale)) for kind in kinds),
-        Pair("at-pi", "smallest component of the axis", exact[0]),
-        Pair("coordinate-axis-at-pi", "angle", exact[1]),
-    )
 
 
 def _not_affine(draw: Draw, size: int) -> Ends:
@@ -233,21 +196,6 @@ def _not_affine(draw: Draw, size: int) -> Ends:
     else:
         bad[draw.choice(range(size))] *= draw.choice((-1.0, 0.0))
     return start, end, distance
-
-
-def _not_rigid(draw: Draw, size: int) -> Ends:
-    """One rigid pose, and one whose linear part is no rotation."""
-    turn, start = turns.no_rotation(draw), any_rotation(draw, size)
-    first, last = draw.choice(((start, turn.matrix), (turn.matrix, start)))
-    return _placed(draw, first), _placed(draw, last), turn.distance
-
-
-def _not_similar(draw: Draw, size: int) -> Ends:
-    """One pose that is a similarity, and one stretched in a direction, or reflected."""
-    stretch, start, bad = draw.exponent(-5, 1), any_rotation(draw, size), any_rotation(draw, size)
-    bad = bad * np.array(draw.choice(((1 + stretch, 1.0, 1.0), (1.0, 1.0, -1.0))))
-    first, last = draw.choice(((start, bad), (bad, start)))
-    return _placed(draw, draw.exponent(-3, 3) * first), _placed(draw, draw.exponent(-3, 3) * last), stretch
 
 
 GENERIC = Pair("generic", "difference of the poses", _generic)
@@ -265,10 +213,6 @@ STRETCHED = Pair("stretched", "thinness", _stretched)
 FAR = Pair("tiny-next-to-huge", "length of the translations", _far)
 LOGARITHMIC = Pair("generic", "gap of two eigenvalues", _logarithmic)
 OUTSIDE = Pair("outside", "difference of the poses", _not_affine, share=0.5)
-NOT_RIGID = Pair("outside", "stretch", _not_rigid, share=0.5)
-NOT_SIMILAR = Pair("outside", "stretch", _not_similar, share=0.5)
-IN_RIGID_MOTIONS = _conformal(lambda draw: 1.0)
-IN_SIMILARITIES = _conformal(lambda draw: draw.exponent(-3, 3))
 
 WITH_LOGARITHMS = (
     LOGARITHMIC,

@@ -14,7 +14,7 @@ SYMMETRIC = "within 1e-6 of symmetric, in the Frobenius norm; the symmetric part
 POSITIVE_DEFINITE = f"positive definite, and {SYMMETRIC}"
 GRADED = (
     "the condition is that of each entry, so that coordinates of very different units cost nothing; a method that "
-    "reduces the matrix to a diagonal all at once keeps to the norm only, and loses the small eigenvalues of graded ones"
+    "reduces the matrix to a diagonal all at once keeps to its norm only, and loses small eigenvalues of a graded one"
 )
 
 REGIMES = tuple(kind.regime() for kind in stretches.POSITIVE_DEFINITE)

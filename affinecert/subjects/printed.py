@@ -161,8 +161,9 @@ def turn_and_growth(pose: Array) -> tuple[Array, np.float64]:
 
     alpha is the cube root of the determinant. Of R = I and of tr R = -1, where R - R^T is 0, the paper makes cases.
     """
-    scale = np.cbrt(np.linalg.det(pose[:3, :3]))
-    rotation = pose[:3, :3] / scale
+    linear = pose[:3, :3]
+    scale = np.cbrt(linear[0] @ np.cross(linear[1], linear[2]))
+    rotation = linear / scale
     if np.trace(rotation) != -1:
         return so3_log(rotation), np.log(scale)
     squares = (rotation - np.eye(3)) / 2 + np.eye(3)

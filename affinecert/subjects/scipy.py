@@ -71,6 +71,16 @@ def shear_log(shear: Array) -> Any:
     return logm(shear)[:, SHEAR_ROWS, SHEAR_COLUMNS]
 
 
+def polar_decompose(linear: Array) -> tuple[Array, Array]:
+    """Rotations and stretches (N, d, d) of linear maps (N, d, d); `linalg.polar` takes reflections for rotations."""
+    if np.any(np.linalg.slogdet(linear)[0] <= 0):
+        raise ValueError("the determinant is not positive")
+    rotation, stretch = np.empty_like(linear), np.empty_like(linear)
+    for item, turn, root in zip(linear, rotation, stretch, strict=True):
+        turn[:], root[:] = linalg.polar(item)
+    return rotation, stretch
+
+
 def affine_lie_decompose(affine: Array) -> tuple[Array, Array, Array]:
     """Rigid (N, 4, 4), shear (N, 3, 3) and scale (N,) of affine maps (N, 4, 4), by LAPACK's RQ factorisation.
 
@@ -124,6 +134,7 @@ subject = Subject(
         "se3.log": se3_log,
         "shear.exp": shear_exp,
         "shear.log": shear_log,
+        "polar.decompose": polar_decompose,
         "affine_lie.decompose": affine_lie_decompose,
         "sam.log": sam_log,
         "sam.power": sam_power,
@@ -137,6 +148,7 @@ subject = Subject(
         "twists": "exponential coordinates (rx, ry, rz, vx, vy, vz): rotation first, as here",
         "matrix logarithm": "linalg.logm: principal, so complex if an eigenvalue is negative; warning is refusal",
         "matrix power": "linalg.fractional_matrix_power: principal; an imaginary part below 2e-10 is dropped",
+        "polar factors": "linalg.polar: stretch on the right; the adapter refuses what preserves no orientation",
         "affine maps": "scipy.linalg takes any square matrix; the adapter refuses what preserves no orientation",
         "triangular factor": "linalg.rq: signs of the diagonal are LAPACK's; the adapter makes them positive",
     },

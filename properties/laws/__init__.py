@@ -6,12 +6,14 @@ from affinecert.properties.law import Law
 from affinecert.properties.laws import (
     canonical_tetrahedron,
     closure,
+    coincidence,
     decomposition,
     endpoints,
     equivariance,
     existence,
     exp_log,
     fixed_point,
+    great_arcs,
     isometry,
     one_parameter,
     reversibility,
@@ -37,4 +39,6 @@ LAWS: tuple[Law, ...] = (
     *equivariance.LAWS,
     *endpoints.LAWS,
     *fixed_point.LAWS,
+    *coincidence.LAWS,
+    *great_arcs.LAWS,
 )

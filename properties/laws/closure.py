@@ -33,6 +33,20 @@ def _positive(answer: Answer) -> float:
     return 0.0
 
 
+def _symmetric(answer: Answer) -> float:
+    return answer.whole.misfit(answer.whole.T)
+
+
+def _stretch(answer: Answer) -> float:
+    for size in range(1, len(answer.array) + 1):
+        log_determinant(Inexact(answer.whole.value[:size, :size], answer.whole.error))
+    return _symmetric(answer)
+
+
+def _polar_factors(rotation: Answer, stretch: Answer) -> float:
+    return max(_orthogonal(rotation.whole), _stretch(stretch))
+
+
 def _principal(omega: Inexact) -> float:
     return ratio(norm(omega.value) - CTX.pi, omega.error)
 
@@ -71,6 +85,8 @@ def _law(name: str, statement: str, inside: Callable[..., float], source: str = 
 ROTATION, PRINCIPAL = "R^T R = I and det R > 0", "the angle is at most pi"
 RIGID, AFFINE = f"{ROTATION}; the last row is 0 0 0 1", "the last row is 0 ... 0 1, and the determinant positive"
 SHEAR = "zeros and the one are exact, a2 and a5 are positive"
+STRETCH = "S = S^T, with positive leading minors"
+KAJI_OCHIAI = "kaji_ochiai, equation 3"
 SAM = "rossignac_vinacua, section 2.2"
 
 LAWS = (
@@ -80,6 +96,10 @@ LAWS = (
     _law("se3.log", PRINCIPAL, lambda answer: _principal(answer["omega"])),
     _law("shear.exp", SHEAR, _shear),
     _law("scale.exp", "the scale is positive", _positive),
+    _law("sym3.exp", STRETCH, _stretch, KAJI_OCHIAI),
+    _law("sym3.log", "Y = Y^T", _symmetric, KAJI_OCHIAI),
+    _law("sym3.power", STRETCH, _stretch, KAJI_OCHIAI),
+    _law("polar.decompose", f"{ROTATION}; {STRETCH}", _polar_factors, KAJI_OCHIAI),
     _law("affine_lie.decompose", f"E: {RIGID}; A: {SHEAR}; s is positive", _representation),
     _law("affine_lie.represent", f"E: {RIGID}; A: {SHEAR}; s is positive", _representation),
     _law("affine_lie.interpolate", AFFINE, _affine, "bansal_tatu, section 4, equation 2"),

@@ -1,4 +1,7 @@
-"""Every affine map of positive determinant is a shear times a scaling times a rigid motion, in one way only."""
+"""Every map of positive determinant is a product in one way only.
+
+An affine one of a shear, a scaling and a rigid motion; a linear one of a rotation and a stretch.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from affinecert.properties.answers import Maps, ask, ask_all
 from affinecert.properties.inexact import affine, precisely
 from affinecert.properties.law import Law
 
-DECOMPOSE, COMPOSE = "affine_lie.decompose", "affine_lie.compose"
+DECOMPOSE, COMPOSE, POLAR = "affine_lie.decompose", "affine_lie.compose", "polar.decompose"
 
 
 def _existence(maps: Maps, matrix: Array) -> float:
@@ -30,6 +33,11 @@ def _uniqueness(maps: Maps, rigid: Array, shear: Array, scale: Array) -> float:
         *(found[1][name].misfit(precisely(shear[where])) for name, (where, _) in found[1].parts.items()),
         found[2].whole.misfit(precisely(scale.reshape(1, 1))),
     )
+
+
+def _polar(maps: Maps, linear: Array) -> float:
+    rotation, stretch = ask_all(maps, POLAR, linear)
+    return (rotation.whole @ stretch.whole).misfit(precisely(linear))
 
 
 LAWS = (
@@ -59,5 +67,14 @@ LAWS = (
         needs=(DECOMPOSE, COMPOSE),
         inputs=strategies.inputs(COMPOSE),
         residual=_uniqueness,
+    ),
+    Law(
+        name="decomposition.polar",
+        statement="L = R S for the polar factors R and S of L",
+        source="kaji_ochiai, remark 3.1 and equation 3",
+        domain="det L > 0, in the plane and in space",
+        needs=(POLAR,),
+        inputs=strategies.inputs(POLAR),
+        residual=_polar,
     ),
 )

@@ -1,13 +1,13 @@
-"""A steady affine motion does not depend on the frame in which it is written down."""
+"""What changes with the frame as it should: steady motions in any frame, polar factors in rotated ones."""
 
 from __future__ import annotations
 
 from affinecert.map import Array
 from affinecert.properties import special, strategies
 from affinecert.properties.answer import rounded_affine
-from affinecert.properties.answers import Maps, ask
+from affinecert.properties.answers import Maps, ask, ask_all
 from affinecert.properties.culver import without_half_turns
-from affinecert.properties.inexact import affine, exact
+from affinecert.properties.inexact import affine, exact, precisely
 from affinecert.properties.law import Law
 
 # P has small whole entries or powers of two, and an exact inverse; what P A P^-1 is rounded by is carried along.
@@ -26,6 +26,14 @@ def _affine_invariance(maps: Maps, start: Array, end: Array, time: Array, frame:
     change = affine(frame)
     seen = ask(maps, "sam.morph", *(rounded_affine(change @ affine(pose)) for pose in (start, end)), time)
     return (change @ ask(maps, "sam.morph", start, end, time).affine).misfit(seen.affine)
+
+
+def _rotated_frames(maps: Maps, linear: Array, after: Array, before: Array) -> float:
+    # Rotations of whole entries: the products are exact.
+    rotation, stretch = ask_all(maps, "polar.decompose", linear)
+    turned, moved = ask_all(maps, "polar.decompose", after @ linear @ before)
+    left, right = precisely(after), precisely(before)
+    return max(turned.whole.misfit(left @ rotation.whole @ right), moved.whole.misfit(right.T @ stretch.whole @ right))
 
 
 LAWS = (
@@ -47,5 +55,14 @@ LAWS = (
         needs=("sam.morph",),
         inputs=special.with_frame(strategies.inputs("sam.morph")),
         residual=_affine_invariance,
+    ),
+    Law(
+        name="equivariance.polar.decompose",
+        statement="the polar factors of P L Q are P R Q and Q^T S Q",
+        source="kaji_ochiai, remark 3.1",
+        domain="det L > 0, in the plane and in space; rotations P and Q, here those of whole entries",
+        needs=("polar.decompose",),
+        inputs=special.with_quarter_turns(strategies.linear_maps()),
+        residual=_rotated_frames,
     ),
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
@@ -9,7 +10,7 @@ from hypothesis import strategies as st
 
 from affinecert.map import Array
 from affinecert.properties import strategies
-from affinecert.properties.answer import Answer, near_rigid, near_rotation, near_similarity
+from affinecert.properties.answer import Answer, near_rigid, near_rotation, near_similarity, near_symmetric
 from affinecert.properties.answers import Maps, ask
 from affinecert.properties.inexact import CTX, UNDECIDED, Inexact, exact, norm, precisely, ratio
 from affinecert.properties.law import Law, OutOfDomain
@@ -28,7 +29,18 @@ def _log_of_exp(family: str, maps: Maps, element: Array) -> float:
     if family in {"so3", "se3", "sim3"}:
         _inside_the_cut(element[:3], whole.whole if family == "so3" else whole.affine.linear)
     back = ask(maps, f"{family}.log", whole)
+    if family == "sym3":
+        return _blocks(back, near_symmetric(element, "logarithm"))
     return _blocks(back, _exactly(element, back))
+
+
+GIVEN: Mapping[str, Callable[[Array], Answer]] = {
+    "so3": near_rotation,
+    "se3": near_rigid,
+    "sim3": near_similarity,
+    "sym3": partial(near_symmetric, name="exponential"),
+}
+"""What an element stands for where it is not itself: the nearest one of the group."""
 
 
 def _inside_the_cut(omega: Array, linear: Inexact) -> None:
@@ -37,13 +49,9 @@ def _inside_the_cut(omega: Array, linear: Inexact) -> None:
         raise OutOfDomain("an angle of pi or more")
 
 
-KNOWN = {"so3": near_rotation, "se3": near_rigid, "sim3": near_similarity}
-"""What a matrix that is in a group but for its rounding stands for."""
-
-
 def _exp_of_log(family: str, maps: Maps, element: Array) -> float:
     back = ask(maps, f"{family}.exp", ask(maps, f"{family}.log", element))
-    known = KNOWN.get(family, partial(_exactly, like=back))
+    known = GIVEN.get(family, partial(_exactly, like=back))
     return _blocks(back, known(element))
 
 
@@ -133,6 +141,12 @@ LAWS = (
     ),
     *_pair("shear", "bansal_tatu, A.2.3 and A.2.4", "every element of the algebra", "every element of G_A"),
     *_pair("scale", "bansal_tatu, A.2.5", "every number", "every positive number"),
+    *_pair(
+        "sym3",
+        "kaji_ochiai, equations 6 and 7",
+        "every symmetric matrix whose exponential is positive definite once rounded",
+        "every symmetric positive definite matrix",
+    ),
     Law(
         name="exp_log.sam.log",
         statement="log(A^t) = t log A",

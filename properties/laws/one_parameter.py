@@ -28,6 +28,11 @@ def _power(maps: Maps, matrix: Array, s: Array, t: Array) -> float:
     return (first @ second).misfit(both)
 
 
+def _power_of_stretch(maps: Maps, matrix: Array, s: Array, t: Array) -> float:
+    first, second, both = (ask(maps, "sym3.power", matrix, np.asarray(time)).whole for time in (s, t, s + t))
+    return (first @ second).misfit(both)
+
+
 def _law(name: str, elements: SearchStrategy[Array], source: str) -> Law:
     return Law(
         name=f"one_parameter.{name}",
@@ -46,6 +51,16 @@ LAWS = (
     _law("sim3.exp", strategies.tangents(), "gallier, section 2"),
     _law("shear.exp", strategies.shear_twists(), "bansal_tatu, section 3.2 and A.2.3"),
     _law("scale.exp", strategies.log_scales(), "bansal_tatu, section 3.2 and A.2.5"),
+    _law("sym3.exp", strategies.symmetric_matrices(), "kaji_ochiai, appendix A"),
+    Law(
+        name="one_parameter.sym3.power",
+        statement="S^s S^t = S^(s + t)",
+        source="kaji_ochiai, appendix A, equation 11",
+        domain="every symmetric positive definite S; all real s and t",
+        needs=("sym3.power",),
+        inputs=st.tuples(strategies.stretches(), strategies.times(), strategies.times()),
+        residual=_power_of_stretch,
+    ),
     Law(
         name="one_parameter.sam.power",
         statement="A^s A^t = A^(s + t)",

@@ -6,7 +6,7 @@ import numpy as np
 
 from affinecert.fast import affine_lie, morphs, sam, se3, sim3, so3
 
-from .defect import Array, block, column, homogeneous, parts, seeded, times
+from .defect import Array, block, column, homogeneous, parts, seeded
 
 
 def polar(linear: Array) -> tuple[Array, Array]:
@@ -38,7 +38,7 @@ def power(rotation: Array, t: Array) -> Array:
 def mixed(first: Array, last: Array, t: Array) -> Array:
     """(1 - t) first + t last, of vectors or of matrices."""
     times_of = column if first.ndim == 2 else block
-    return times_of(1 - t) * first + times_of(t) * last
+    return np.asarray(times_of(1 - t) * first + times_of(t) * last)
 
 
 def straight(start: Array, end: Array, t: Array) -> Array:
@@ -55,12 +55,6 @@ def about(point: Array, start: Array, end: Array, t: Array, linear: Array) -> Ar
 def quotient(start: Array, end: Array) -> Array:
     """The linear parts of C B^-1."""
     return np.asarray(parts(end)[0] @ np.linalg.inv(parts(start)[0]))
-
-
-def of_symmetric(matrix: Array, function: np.ufunc, t: Array | float = 1.0) -> Array:
-    """A function of t times a function's argument, by eigenvectors."""
-    values, vectors = np.linalg.eigh(matrix)
-    return vectors * function(values) @ transposed(vectors)
 
 
 @seeded("morphs.linear", "generic-2d")
@@ -157,8 +151,8 @@ def steady(start: Array, end: Array, t: Array) -> Array:
 @seeded("morphs.alexa_2002", "generic-3d")
 def translation_apart(start: Array, end: Array, t: Array) -> Array:
     """The logarithms of the linear parts, and the translation in a straight line."""
-    bare = [homogeneous(parts(pose)[0], 0 * parts(pose)[1]) for pose in (start, end)]
-    return homogeneous(parts(morphs.alexa_2002(*bare, t))[0], straight(start, end, t))
+    first, last = (homogeneous(parts(pose)[0], 0 * parts(pose)[1]) for pose in (start, end))
+    return homogeneous(parts(morphs.alexa_2002(first, last, t))[0], straight(start, end, t))
 
 
 @seeded("morphs.sumner_2005", "generic-3d")
@@ -199,14 +193,17 @@ def area_for_scale(start: Array, end: Array, t: Array) -> Array:
 def by_sides(start: Array, end: Array, t: Array, shares: tuple[float, float], scaled: bool = True) -> Array:
     """The three spirals, each vertex with those shares of the side that leads away and of the one before."""
     first, last = (
-        np.stack([z[:, 2], z[:, 2] + z[:, 0], z[:, 2] + z[:, 1]]) for z in (x[:, 0] + 1j * x[:, 1] for x in (start, end))
+        np.stack([z[:, 2], z[:, 2] + z[:, 0], z[:, 2] + z[:, 1]])
+        for z in (x[:, 0] + 1j * x[:, 1] for x in (start, end))
     )
     ratio = (np.roll(last, -1, axis=0) - last) / (np.roll(first, -1, axis=0) - first)
     grown = ratio**t if scaled else (1 - t + t * np.abs(ratio)) * np.exp(1j * t * np.angle(ratio))
     share = (grown - 1) / (ratio - 1)
     corners = first + (shares[0] * share + shares[1] * np.roll(share, 1, axis=0)) * (last - first)
     columns = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=-1)
-    return homogeneous(np.stack([columns.real, columns.imag], axis=1), np.stack([corners[0].real, corners[0].imag], axis=-1))
+    return homogeneous(
+        np.stack([columns.real, columns.imag], axis=1), np.stack([corners[0].real, corners[0].imag], axis=-1)
+    )
 
 
 @seeded("morphs.three_spiral", "generic-2d")

@@ -1,4 +1,4 @@
-"""Quaternions: the sign forgotten, and the angle or its sine lost where the two all but coincide."""
+"""Quaternions: the sign forgotten, the length taken for 1, and the angle of those that all but coincide."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def weighted(start: Array, end: Array, t: Array, angle: Array, small: float) -> 
     """The arc between two quaternions at that angle, the chord where it is below ``small``."""
     sine = np.where(angle > small, np.sin(angle), 1.0)
     first, second = (np.where(angle > small, np.sin(s * angle) / sine, s) for s in (1 - t, t))
-    return column(first) * start + column(second) * end
+    return np.asarray(column(first) * start + column(second) * end)
 
 
 @seeded("quaternion.slerp", "generic")
@@ -29,14 +29,17 @@ def the_long_way(start: Array, end: Array, t: Array) -> Array:
     return weighted(start, end, t, np.arccos(cosine), 1e-8)
 
 
-@seeded("quaternion.slerp", "near-coincident", Verdict.DEGRADED)
-def angle_by_its_cosine(start: Array, end: Array, t: Array) -> Array:
-    """The angle is the arccosine of p . q, which all but coincident quaternions do not tell."""
+@seeded("quaternion.slerp", "coincident", Verdict.NON_FINITE)
+def cosine_as_rounded(start: Array, end: Array, t: Array) -> Array:
+    """The angle is the arccosine of p . q, which may be above 1, and is divided by, though it may be 0."""
     end = nearer(start, end)
-    return weighted(start, end, t, np.arccos(np.clip(np.sum(start * end, axis=-1), -1.0, 1.0)), 0.0)
+    with np.errstate(all="ignore"):
+        angle = np.arccos(np.sum(start * end, axis=-1))
+        first, second = (np.sin(s * angle) / np.sin(angle) for s in (1 - t, t))
+    return np.asarray(column(first) * start + column(second) * end)
 
 
-@seeded("quaternion.slerp", "near-coincident", Verdict.WRONG)
+@seeded("quaternion.slerp", "near-coincident", Verdict.DEGRADED)
 def chord_above_a_threshold(start: Array, end: Array, t: Array) -> Array:
     """Above p . q = 0.9995 the chord is taken for the arc."""
     end = nearer(start, end)
