@@ -3,13 +3,14 @@
 A defect is entered by the decorator `seeded`; the modules, one a family, are imported for that.
 """
 
-from . import affine_lie, morphs, polar, quaternion, sam, se3, shear, sim3, so3, sym3
+from . import affine_lie, measures, morphs, polar, quaternion, sam, se3, shear, sim3, so3, sym3
 from .defect import DEFECTS, Defect
 
 __all__ = [
     "DEFECTS",
     "Defect",
     "affine_lie",
+    "measures",
     "morphs",
     "polar",
     "quaternion",
