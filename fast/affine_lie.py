@@ -158,29 +158,32 @@ def interpolate_orderings(source: ArrayLike, target: ArrayLike, t: ArrayLike) ->
     source and target (..., 4, 3), t (...); gives (..., 12, 4, 3): the orderings in lexicographic order, each result
     given back in the original order of its vertices. Raises InputError as `interpolate_tetrahedra` does.
     """
-    ordered = _between(*_reordered(source, target, t), 4)
+    arguments = checked({"source": (4, 3), "target": (4, 3), "t": ()}, (source, target, t))[0]
+    ordered = _between(*_reordered(*arguments), 4)
     back = np.argsort(ORDERINGS, axis=1)
     return np.take_along_axis(ordered, np.broadcast_to(back[..., None], ordered.shape), axis=-2)
 
 
-def maps_by_orderings(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> Array:
-    """The affine maps from the source to what `interpolate_orderings` makes of it, in double-doubles.
+def maps_by_orderings(source: ArrayLike, target: ArrayLike, times: ArrayLike) -> Array:
+    """The affine maps from the source to what `interpolate_orderings` makes of it at some times, in double-doubles.
 
-    As there, but gives homogeneous matrices of pairs (high, low), (..., 12, 4, 4, 2). A point x goes to W^-1 (R^-1 U R
-    (x - u) + u - v) for the alignment R of the source, its first vertex u, and the powers U and [W v].
+    source and target (..., 4, 3), times (..., times); gives homogeneous matrices of pairs (high, low),
+    (..., times, 12, 4, 4, 2). A point x goes to W^-1 (R^-1 U R (x - u) + u - v) for the alignment R of the source, its
+    first vertex u, and the powers U and [W v].
     """
-    first, last, time = _reordered(source, target, t)
+    inputs = {"source": (4, 3), "target": (4, 3), "times": ("times",)}
+    first, last, moments = _reordered(*checked(inputs, (source, target, times))[0])
+    first, last = first[..., None, :, :, :], last[..., None, :, :, :]
     start, end = _frame("source", first), _frame("target", last)
-    upper, turn, shift = _powers_between(start, first[..., 0, :], end, last[..., 0, :], time)
+    upper, turn, shift = _powers_between(start, first[..., 0, :], end, last[..., 0, :], moments)
     origin, back = _wide.widen(first[..., 0, :]), _wide.transposed(turn)
     linear = _wide.product(_wide.transposed(start.rotation), _wide.product(upper, start.rotation))
     moved = _wide.subtract(_wide.subtract(origin, shift), _wide.image(linear, origin))
     return _wide.homogeneous(_wide.product(back, linear), _wide.image(back, moved))
 
 
-def _reordered(source: ArrayLike, target: ArrayLike, t: ArrayLike) -> tuple[Array, Array, Array]:
+def _reordered(first: Array, last: Array, time: Array) -> tuple[Array, Array, Array]:
     """Source and target in each ordering, (..., 12, 4, 3), and the time; refuses what is no tetrahedron."""
-    (first, last, time), _, _ = checked({"source": (4, 3), "target": (4, 3), "t": ()}, (source, target, t))
     for name, vertices in (("source", first), ("target", last)):
         _frame(name, vertices)
     return first[..., ORDERINGS, :], last[..., ORDERINGS, :], time[..., None]

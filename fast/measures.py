@@ -162,7 +162,7 @@ def path_deviation(source: ArrayLike, target: ArrayLike, times: ArrayLike) -> Ar
     first, last, moments = checked(inputs, (source, target, times))[0]
     if moments.shape[-1] == 0:
         raise InputError("times", f"shape {moments.shape}: at least one time is due")
-    maps = affine_lie.maps_by_orderings(first[..., None, :, :], last[..., None, :, :], moments)
+    maps = affine_lie.maps_by_orderings(first, last, moments)
     apart = _wide.subtract(maps[..., FIRST, :, :, :], maps[..., SECOND, :, :, :])
     squares = _total(_total(_wide.multiply(apart, apart), -2), -2)
     deviations = np.sort(_wide.rounded(_wide.square_root(squares)).max(axis=-2), axis=-1)
@@ -190,8 +190,10 @@ def rotation_curve_length(first: ArrayLike, second: ArrayLike) -> Array:
     inputs = {"first": (3,), "second": (3,)}
     arrays = checked(inputs, (first, second))[0]
     for name, vector in zip(inputs, arrays, strict=True):
-        within = np.max(np.abs(vector), axis=-1) <= LONGEST
-        within &= np.linalg.norm(np.clip(vector, -LONGEST, LONGEST), axis=-1) <= LONGEST
+        # Each entry cut down to one more radian, lest a square overflows; the sum is told from 64^2 to its last bit.
+        entries = _wide.widen(np.clip(vector, -LONGEST - 1.0, LONGEST + 1.0))
+        excess = _wide.subtract(_total(_wide.multiply(entries, entries), -2), _wide.widen(np.array(LONGEST**2)))
+        within = excess[..., 0] <= 0.0
         refuse(within, False, name, "longer than 64 radians", within.shape)
     return curve_length(*arrays)
 

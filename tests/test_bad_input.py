@@ -39,6 +39,7 @@ POINTS = np.arange(14.0).reshape(7, 2) % 5
 KEYS = np.stack([space(IDENTITY), space(2 * TURN), space(TURN @ TURN)])
 STEADY = plane([[1, 1], [0, 2]])
 SPIRAL = plane([[0, -1], [1, 1]])
+PATH = np.stack([PLANE, IDENTITY, plane([[1, 0], [1, 2]]), plane([[0, -1], [1, 0]])])
 AFFINES = np.stack([np.eye(4), SPACE, space(STRETCH)])
 PARAMETERS = np.arange(12.0) / 4 - 1
 
@@ -95,6 +96,11 @@ GOOD: dict[str, tuple[Array, ...]] = {
     "curves.patch": (IDENTITY, PLANE, STEADY, IDENTITY, HALF, HALF),
     "curves.regular_pattern": (PLANE, STEADY),
     "curves.grazing_parameter": (SPIRAL, np.array([1.0, 2.0]), np.array([1.0, 0.0]), np.array([0.0, 1.0])),
+    "measures.average_relative_acceleration": (PATH, np.array([[0.0, 1], [1, 0], [2, 2]])),
+    "measures.volume": (PATH,),
+    "measures.degeneracy": (PATH,),
+    "measures.path_deviation": (CANONICAL, TETRAHEDRON, np.array([0.25, 0.5])),
+    "measures.rotation_curve_length": (np.array([1.0, -2, 0.5]), np.array([0.5, 0, 3])),
     "quaternion.slerp": (np.array([0.6, 0, 0.8, 0]), np.array([0.0, 1, 0, 0]), HALF),
     "kaji_ochiai.parametrise": (SPACE,),
     "kaji_ochiai.parametrise_near": (SPACE, PARAMETERS),
@@ -160,9 +166,12 @@ def test_what_is_no_array_is_refused(name: str, number: int, value: Any) -> None
 
 def fits(shape: tuple[int, ...], declared: tuple[int | str, ...]) -> bool:
     """Whether arrays of that shape are arguments, some of whose sizes may be any number of things."""
-    free = [size for size in declared if isinstance(size, str) and size not in {"n", "n-1", "d"}]
+    dimensions = {"n": (3, 4), "n-1": (2, 3), "d": (2, 3)}
+    free = [size for size in declared if isinstance(size, str) and size not in dimensions]
     item = shape[len(shape) - len(declared) :] if len(shape) >= len(declared) else ()
-    return bool(free and item) and all(due in {size, *free} for size, due in zip(item, declared, strict=True))
+    return bool(free and item) and all(
+        due in {size, *free} or size in dimensions.get(str(due), ()) for size, due in zip(item, declared, strict=True)
+    )
 
 
 @pytest.mark.parametrize(("name", "number"), MATRICES)
@@ -242,6 +251,16 @@ def with_last(pose: Array) -> Array:
 
 
 SPLINES, MOTIONS = ("splines.de_boor", "splines.evaluate"), ("splines.motion", "splines.smooth_motion")
+
+
+def with_pose(number: int, pose: Array) -> Array:
+    path = PATH.copy()
+    path[number] = pose
+    return path
+
+
+BAD_POSES = ((mirrored, "determinant"), (singular, "determinant"), (last_row, "last row"))
+
 OFF = IDENTITY + 1e-5 * np.eye(3)[[1, 2, 0]]
 NO_LOGARITHM = (
     plane([[-1, 0], [0, -2]]),
@@ -372,6 +391,15 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("curves.grazing_parameter", 0, last_row(PLANE), "last row"),
     ("curves.grazing_parameter", 0, plane(np.eye(2)), "degenerate"),
     ("curves.grazing_parameter", 0, plane(2 * np.eye(2)), "degenerate"),
+    *(("measures.average_relative_acceleration", 0, with_pose(2, bad(PLANE)), reason) for bad, reason in BAD_POSES),
+    ("measures.volume", 0, with_pose(2, last_row(PLANE)), "last row"),
+    ("measures.degeneracy", 0, with_pose(1, last_row(PLANE)), "last row"),
+    ("measures.degeneracy", 0, with_pose(0, singular(PLANE)), "of an end is not positive"),
+    ("measures.degeneracy", 0, with_pose(-1, mirrored(PLANE)), "of an end is not positive"),
+    ("measures.path_deviation", 0, mirrored(CANONICAL), "degenerate"),
+    ("measures.path_deviation", 1, flat(TETRAHEDRON), "degenerate"),
+    ("measures.rotation_curve_length", 0, np.array([64.0, 1e-6, 0]), "longer than 64 radians"),
+    ("measures.rotation_curve_length", 1, np.array([0.0, 0, -1e300]), "longer than 64 radians"),
 ]
 """Inputs outside the domain: map, number of the argument, its value, and what the message says."""
 
