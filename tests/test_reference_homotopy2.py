@@ -117,6 +117,6 @@ def test_a_half_turn_is_continued_to_both_sides(ctx: Any, name: str) -> None:
 @pytest.mark.parametrize("matrix", [[[1.0, 2], [2, 4]], [[0.0, 1], [1, 0]], [[1.0, 0], [0, -1e-300]]])
 def test_a_map_that_turns_over_has_no_polar_homotopy(ctx: Any, matrix: Any) -> None:
     for function in (homotopy2.polar, homotopy2.exponential):
-        with pytest.raises(InputError, match="^linear: determinant is not positive"):
+        with pytest.raises(InputError, match=r"^linear: determinant is not positive"):
             function(ctx, numbers(ctx, matrix), numbers(ctx, 0.5))
     assert homotopy2.linear(ctx, numbers(ctx, matrix), numbers(ctx, 0.5)).shape == (2, 2)

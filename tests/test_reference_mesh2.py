@@ -38,11 +38,12 @@ def edges(shape: Numbers, triple: list[int]) -> Numbers:
 
 def inverse(matrix: Numbers) -> Numbers:
     (a, b), (c, d) = matrix
-    return array([[d, -b], [-c, a]]) / (a * d - b * c)
+    inverted: Numbers = array([[d, -b], [-c, a]]) / (a * d - b * c)
+    return inverted
 
 
 def square(matrix: Numbers) -> Any:
-    return sum(x * x for x in matrix.flat)
+    return np.sum(matrix * matrix)
 
 
 def frobenius(a: Numbers, b: Numbers, source: Numbers, moved: Numbers) -> Any:
@@ -197,7 +198,7 @@ def changed(values: Any, index: Any, value: float) -> Any:
 )
 def test_refusals(ctx: Any, name: str, changes: dict[str, Any], argument: str, reason: str) -> None:
     arguments = {"source": SOURCE, "target": TARGET, "triangles": TRIANGLES, "t": 0.5} | changes
-    with pytest.raises(InputError, match=f"^{argument}: .*{reason}"):
+    with pytest.raises(InputError, match=rf"^{argument}: .*{reason}"):
         getattr(mesh2, name)(ctx, *(numbers(ctx, x) for x in arguments.values()))
 
 
@@ -209,17 +210,28 @@ def test_a_similarity_needs_two_places(ctx: Any) -> None:
     half = numbers(ctx, 0.5)
     assert mesh2.frobenius(ctx, source, opened, triangles, half).shape == (6, 2)
     for function in (mesh2.similarity, mesh2.points):
-        with pytest.raises(InputError, match="^target: the first and the last vertex are in one place"):
+        with pytest.raises(InputError, match=r"^target: the first and the last vertex are in one place"):
             function(ctx, source, opened, triangles, half)
+
+
+def test_what_is_hinged_at_a_vertex_needs_its_angles(ctx: Any) -> None:
+    shape = numbers(ctx, [[0.0, 0], [1, 0], [0, 1], [-1, 0], [0, -1]])
+    triangles, half = numbers(ctx, [[0.0, 1, 2], [0, 3, 4]]), numbers(ctx, 0.5)
+    for function in (mesh2.similarity, mesh2.points):
+        with pytest.raises(InputError, match=r"^triangles: pieces that hang together by vertices only"):
+            function(ctx, shape, shape, triangles, half)
+    with pytest.raises(InputError, match=r"^triangles: pieces that hang together by vertices only"):
+        mesh2.balanced(ctx, shape, shape, triangles, half, numbers(ctx, [1.0, 0]))
+    assert np.array_equal(mesh2.balanced(ctx, shape, shape, triangles, half, numbers(ctx, [1.0, 0.5])), shape)
 
 
 @pytest.mark.parametrize(("balance", "reason"), [([0.5, 0.5, 1.5, 0.0], "not in"), ([0.5, -0.1, 1.0, 0.0], "not in")])
 def test_a_balance_is_between_0_and_1(ctx: Any, balance: Any, reason: str) -> None:
-    with pytest.raises(InputError, match=f"^balance: {reason}"):
+    with pytest.raises(InputError, match=rf"^balance: {reason}"):
         mesh2.balanced(ctx, *mesh(ctx, 0.5), numbers(ctx, balance))
 
 
 @pytest.mark.parametrize("weight", [0.0, -1.0])
 def test_a_weight_is_positive(ctx: Any, weight: float) -> None:
-    with pytest.raises(InputError, match="^weight: not positive"):
+    with pytest.raises(InputError, match=r"^weight: not positive"):
         mesh2.constrained(ctx, *mesh(ctx, 0.5), numbers(ctx, [0.0, 0.0]), numbers(ctx, weight))

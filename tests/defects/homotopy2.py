@@ -23,7 +23,7 @@ def angle(rotation: Array) -> Array:
 
 def straight(stretch: Array, t: Array) -> Array:
     """(1 - t) I + t S."""
-    return np.asarray(block(1 - t) * np.eye(2) + block(t) * stretch
+    return np.asarray(block(1 - t) * np.eye(2) + block(t) * stretch)
 
 
 def grown(stretch: Array, t: Array) -> Array:
