@@ -22,7 +22,7 @@ from affinecert.fast._kernel import Array
 from affinecert.fast._mesh_constraints import Held
 from affinecert.fast._mesh_errors import Errors, Goal, Homotopies, homotopies
 from affinecert.fast._sparse import Pattern, factored, mean, pattern, refined, without_threads_of_blas
-from affinecert.fast._triangulation import Indices, indices, twice_areas
+from affinecert.fast._triangulation import Indices, indices, pieces, twice_areas
 from affinecert.fast._wide import add, divide, multiply, rounded, subtract, times, widen
 
 Hold = Callable[[Array, Array, int], Held]
@@ -33,6 +33,7 @@ Solve = Callable[[Array], Array]
 
 NO_AREA = "a triangle without area"
 TURNED_OVER = "a triangle without area, or turned over"
+HINGED = "pieces that hang together by vertices only, which E^R and E^S leave free to turn and to collapse"
 NOT_UNIQUE = "the minimiser is not unique, or too ill-conditioned to be told"
 
 
@@ -144,11 +145,14 @@ def moving(
 ) -> Callable[[Array, int], Array]:
     """What takes times (count,) and a number of threads to shapes (count, vertices, 2).
 
-    Source and target (vertices, 2), triangles (faces, 3) as float64. Raises InputError for what is no mesh, and for
-    triangles without area or turned over; what is returned does where the minimiser is not unique.
+    Source and target (vertices, 2), triangles (faces, 3) as float64. Raises InputError for what is no mesh, or for E^R
+    and E^S not connected by edges, and for triangles without area or turned over; what is returned does where the
+    minimiser is not unique.
     """
     exponent = int(np.frexp(np.abs(source).max())[1])
     faces = indices(triangles, len(source))
+    if options.energy != "frobenius":
+        _require_edges(faces, np.zeros(len(faces)) if options.balance is None else options.balance)
     shapes = np.ldexp(source, -exponent), np.ldexp(target, -exponent)
     areas = twice_areas(shapes[0], faces), twice_areas(shapes[1], faces)
     if not areas[0][:, 0].all():
@@ -173,6 +177,13 @@ def moving(
         return np.ldexp(np.reshape(found, (-1, len(source), 2)), exponent)
 
     return frames
+
+
+def _require_edges(triangles: Indices, balance: Array) -> None:
+    """InputError for several pieces, connected by vertices only, in one of which E^F has no share."""
+    numbers = pieces(triangles)
+    if numbers.any() and not np.bincount(numbers, balance).all():
+        raise InputError("triangles", HINGED)
 
 
 def _way(

@@ -113,6 +113,14 @@ def coherent_turns(angles: Array, triangles: Indices) -> Array:
     return turns[:count]
 
 
+def pieces(triangles: Indices) -> Indices:
+    """The number of the piece that each triangle belongs to, pieces being connected by edges."""
+    count = len(triangles)
+    first, second = _neighbours(triangles)
+    edges = sparse.coo_array((np.ones(len(first)), (first, second)), (count, count))
+    return np.asarray(csgraph.connected_components(edges, directed=False)[1], dtype=np.intp)
+
+
 def _neighbours(triangles: Indices) -> tuple[Indices, Indices]:
     """The pairs of triangles that share an edge, as two arrays."""
     edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)

@@ -99,9 +99,9 @@ def interpolate(
 
     ``workers`` is the number of threads that share the times, by default one for each processor, at most 4; the result
     does not depend on it. Raises InputError for wrong shapes and dtypes, numbers that are not finite, triangles that
-    are no triples of different vertices, a mesh that is not one piece with all vertices, a triangle without area or
-    turned over, weights that are not positive, a balance outside [0, 1], and constraints that leave the minimiser
-    undetermined.
+    are no triples of different vertices, a mesh that is not one piece with all vertices or, where E^F has no share in
+    it, not connected by edges, a triangle without area or turned over, weights that are not positive, a balance outside
+    [0, 1], and constraints that leave the minimiser undetermined.
 
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     >>> turned = square @ [[0.0, 2.0], [-2.0, 0.0]]

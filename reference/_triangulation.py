@@ -23,3 +23,15 @@ def triples(triangles: Array, count: int) -> list[Triple]:
     if len(reached) < count:
         raise InputError("triangles", "not one piece with all vertices")
     return triples
+
+
+def pieces(triples: list[Triple]) -> list[set[int]]:
+    """The triangles, by their numbers, in pieces that are connected by edges."""
+    found: list[tuple[set[int], set[frozenset[int]]]] = []
+    for number, (i, j, k) in enumerate(triples):
+        edges = {frozenset(edge) for edge in ((i, j), (j, k), (k, i))}
+        near = [piece for piece in found if piece[1] & edges]
+        found = [piece for piece in found if piece not in near]
+        numbers, all_edges = (set().union(*sets) for sets in zip(*near, strict=True)) if near else (set(), set())
+        found.append((numbers | {number}, all_edges | edges))
+    return [numbers for numbers, _ in found]

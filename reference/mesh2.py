@@ -23,7 +23,7 @@ from affinecert.reference import _domain, homotopy2
 from affinecert.reference._exact import determinant_sign
 from affinecert.reference._least_squares import Square, minimiser
 from affinecert.reference._matrices import Array, Context, Number, array, scalar
-from affinecert.reference._triangulation import Triple, triples
+from affinecert.reference._triangulation import Triple, pieces, triples
 
 
 @dataclass(frozen=True)
@@ -68,9 +68,10 @@ def points(ctx: Context, source: Array, target: Array, triangles: Array, t: Arra
     """The minimiser of E^S, the sum of area min sum_k |s R_delta A p_k + d - v_k|^2 over s, delta and d.
 
     So the corners p_k are compared up to similarity, translations included (Werman and Weinshall 1995). The first and
-    the last vertex are given as for `similarity`. Raises InputError as `frobenius` does.
+    the last vertex are given as for `similarity`. Raises InputError as that does.
     """
     faces = _faces(ctx, source, target, triangles, t)
+    _require_edges(faces, [ctx.zero] * len(faces))
     return _interpolated(ctx, len(source), [(face, _points) for face in faces], _ends(ctx, source, target, t))
 
 
@@ -78,22 +79,25 @@ def similarity(ctx: Context, source: Array, target: Array, triangles: Array, t: 
     """The minimiser of E^R, the sum of area min |s R_delta A - B|_F^2 over s and delta (equation 4).
 
     The first vertex moves linearly, and the vector from it to the last one by the exponential homotopy of the
-    similarity that takes it from source to target. Raises InputError as `frobenius` does, and where these two vertices
-    are in one place.
+    similarity that takes it from source to target. Raises InputError as `frobenius` does, where these two vertices are
+    in one place, and for pieces that are connected by vertices only: the error leaves their angles free.
     """
     faces = _faces(ctx, source, target, triangles, t)
+    _require_edges(faces, [ctx.zero] * len(faces))
     return _interpolated(ctx, len(source), [(face, _similarity) for face in faces], _ends(ctx, source, target, t))
 
 
 def balanced(ctx: Context, source: Array, target: Array, triangles: Array, t: Array, balance: Array) -> Array:
     """The minimiser of the sum of area (w E^F + (1 - w) E^R), w in [0, 1] the ``balance`` (faces,) of each face.
 
-    The first and the last vertex are given as for `similarity`. Raises InputError as it does, and for other w.
+    The first and the last vertex are given as for `similarity`. Raises InputError as it does, but for pieces with some
+    w above 0, and for other w.
     """
     _domain.finite(ctx, "balance", balance)
     if any(not 0 <= w <= 1 for w in balance):
         raise InputError("balance", "not in [0, 1]")
     faces = _faces(ctx, source, target, triangles, t)
+    _require_edges(faces, list(balance))
     mixed = [(face, _mixture(w)) for face, w in zip(faces, balance, strict=True)]
     return _interpolated(ctx, len(source), mixed, _ends(ctx, source, target, t))
 
@@ -152,6 +156,13 @@ def _face(
     inverse = array([[d, -b], [-c, a]]) / double
     corners = source - sum(source) / 3
     return Face(vertices, inverse, corners, abs(double) / 2, homotopy2.exponential(ctx, goals @ inverse, scalar(t)))
+
+
+def _require_edges(faces: list[Face], balance: list[Number]) -> None:
+    """Refuses several pieces that are connected by vertices only, if E^F has no share in one of them."""
+    parts = pieces([face.vertices for face in faces])
+    if len(parts) > 1 and not all(any(balance[number] for number in part) for part in parts):
+        raise InputError("triangles", "pieces that hang together by vertices only, free to turn and to collapse")
 
 
 def _first(source: Array, target: Array, t: Array) -> Locus:

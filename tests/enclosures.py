@@ -43,10 +43,15 @@ def distance(ctx: Any, balls: Any, matrix: Numbers) -> Any:
     return ctx.sqrt(_upper(ctx, square))
 
 
+def balls(matrix: Numbers) -> Any:
+    """A matrix as exact balls."""
+    return flint.arb_mat([[ball(x) for x in row] for row in matrix])
+
+
 def exponential(matrix: Numbers, bits: int = 2000) -> Any:
     """Balls that enclose the exponential of a matrix."""
     with flint.ctx.workprec(bits):
-        return flint.arb_mat([[ball(x) for x in row] for row in matrix]).exp()
+        return balls(matrix).exp()
 
 
 def _upper(ctx: Any, enclosed: Any) -> Any:

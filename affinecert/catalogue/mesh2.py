@@ -221,7 +221,8 @@ def _map(
         accuracy=8.0,
         cost=20.0,
         remark="Condition against perturbations of source and target as vectors of all coordinates, each relative to "
-        "its length: a shape far from the origin counts with its distance. The indices in triangles are exact.",
+        "its length: a shape far from the origin counts with its distance. Where a triangle turns by pi exactly the "
+        "map jumps, and the condition is beyond all bounds. Indices are exact.",
     )
 
 

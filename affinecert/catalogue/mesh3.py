@@ -169,6 +169,7 @@ MAPS = (
         accuracy=8.0,
         cost=60.0,
         remark="Condition against perturbations of the shapes as vectors of all coordinates, the targets together, "
-        "each relative to its length: a shape far from the origin counts with its distance. The indices are exact.",
+        "each relative to its length: a shape far from the origin counts with its distance. Where a triangle turns by "
+        "pi exactly the map jumps, and the condition is beyond all bounds. Indices are exact.",
     ),
 )
