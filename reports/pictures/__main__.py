@@ -14,6 +14,10 @@ from affinecert.reports.pictures.drawing import keep
 FILES: Mapping[str, str] = {
     "logarithms_of_rotations": "svg",
     "existence_region": "svg",
+    "morph_strip": "png",
+    "path_deviation": "svg",
+    "shape_interpolation": "svg",
+    "spliced_spline": "svg",
 }
 """The pictures, a module each with a function ``draw``, and the kind of file each is kept in."""
 

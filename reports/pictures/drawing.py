@@ -18,32 +18,36 @@ from affinecert.reports.pictures.assets import surface
 FUR = np.array([0.78, 0.56, 0.36])
 RED, GREEN, BLUE, GREY = "#c2410c", "#047857", "#1d4ed8", "#64748b"
 
-LIGHT = np.array([0.55, -0.35, 0.75])
+LIGHT = np.array([-0.35, 0.75, 0.55])
 
 
 @cache
-def _bear() -> tuple[Array, Array]:
-    """Triangles of Panda3D's panda seen from the side, far ones first, (faces, 3, 2), and their brightness (faces,).
+def _bear() -> Array:
+    """The triangles of Panda3D's panda, (faces, 3, 3), seen from the side: y points up, z to the viewer.
 
     Its length is 1, the origin between its feet.
     """
-    corners = surface("panda-model").corners
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    order = np.argsort(corners[:, :, 0].mean(axis=1))
-    lengths = np.maximum(np.linalg.norm(normals, axis=1), np.finfo(np.float64).tiny)
-    brightness = 0.4 + 0.6 * np.clip(normals @ LIGHT / lengths, 0.0, 1.0)
-    seen = corners[order][:, :, [1, 2]]
-    width = np.ptp(seen[..., 0])
-    middle = np.array([(seen[..., 0].min() + seen[..., 0].max()) / 2, 0.0])
-    return (seen - middle) / width, brightness[order]
+    corners = surface("panda-model").corners[..., [1, 2, 0]]
+    low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+    middle = (low + high) / 2
+    middle[1] = low[1]
+    return (corners - middle) / (high - low)[0]
 
 
 def bear(axes: Axes, pose: Array, colour: Array = FUR, opacity: float = 1.0) -> None:
-    """Draws the bear in a pose of the plane, (3, 3)."""
-    triangles, brightness = _bear()
-    moved = triangles @ pose[:2, :2].T + pose[:2, 2]
+    """Draws the bear in a pose of the plane, (3, 3), or of space, (4, 4), far triangles first."""
+    size = len(pose) - 1
+    triangles = _bear().copy()
+    triangles[..., :size] = triangles[..., :size] @ pose[:-1, :-1].T + pose[:-1, -1]
+    triangles = triangles[np.argsort(triangles[..., 2].mean(axis=1))]
+    # In the plane the light goes round with the bear: a turned picture stays the same picture.
+    lit = triangles if size == 3 else _bear()[np.argsort(_bear()[..., 2].mean(axis=1))]
+    normals = np.cross(lit[:, 1] - lit[:, 0], lit[:, 2] - lit[:, 0])
+    lengths = np.maximum(np.linalg.norm(normals, axis=1), np.finfo(np.float64).tiny)
+    brightness = 0.4 + 0.6 * np.clip(normals @ LIGHT / lengths, 0.0, 1.0)
     shades = np.column_stack([brightness[:, None] * colour, np.full(len(brightness), opacity)])
-    axes.add_collection(PolyCollection(list(moved), facecolors=shades, edgecolors="none", rasterized=True))
+    seen = list(triangles[..., :2])
+    axes.add_collection(PolyCollection(seen, facecolors=shades, edgecolors="none", rasterized=True))
 
 
 def keep(draw: Callable[[], Figure], file: Path) -> None:
