@@ -47,6 +47,13 @@ MORPHS = tuple(name for name, entry in CATALOGUE.items() if entry.family == "mor
 RIGID_MORPHS = ("morphs.sclerp", "morphs.dual_quaternion_linear")
 AFFINE_MORPHS = tuple(name for name in MORPHS if name not in (*RIGID_MORPHS, "morphs.sim"))
 
+SHAPE = (
+    np.array([[0.0, 0], [1, 0], [1, 1], [0, 1], [2, 3]]),
+    np.array([[0.0, 0], [0, 2], [-1, 2], [-1, 0], [-2, 5]]),
+    np.array([[0.0, 1, 2], [0, 2, 3], [1, 4, 2]]),
+)
+SURFACE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 2], [2, 3, 0]])
+
 GOOD: dict[str, tuple[Array, ...]] = {
     "so3.exp": (np.array([1.0, -2, 0.5]),),
     "so3.log": (TURN,),
@@ -111,6 +118,11 @@ GOOD: dict[str, tuple[Array, ...]] = {
     **dict.fromkeys(AFFINE_MORPHS, (PLANE, plane([[1, 1], [0, 2]]), HALF)),
     **dict.fromkeys(RIGID_MORPHS, (space(TURN), space(TURN.T), HALF)),
     "morphs.sim": (space(2 * TURN), space(TURN.T), HALF),
+    **{f"homotopy2.{name}": (np.array([[2.0, 1], [0, 3]]), HALF) for name in ("linear", "polar", "exponential")},
+    **{f"mesh2.{name}": (*SHAPE, HALF) for name in ("frobenius", "points", "similarity", "symmetric")},
+    "mesh2.balanced": (*SHAPE, HALF, np.array([0.0, 0.5, 1])),
+    "mesh2.constrained": (*SHAPE, HALF, np.array([3.0, 4]), np.array(2.0)),
+    "mesh3.blend": (SURFACE, np.stack([2 * SURFACE, SURFACE @ TURN.T]), SHAPE[2], np.array([0.25, 0.5])),
 }
 """Good inputs of every map, one item each."""
 
