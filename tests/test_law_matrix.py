@@ -320,7 +320,13 @@ THEOREMS: Mapping[str, Mapping[str, str]] = {
     "sumner_2005": {"volume kept": "similar", "reversible": "yes", "left invariant": "no"},
     "log_spiral": {"steady": "similar", "re-ordering invariant": "similar", "exists": "yes"},
     "three_spiral": {"steady": "similar", "left invariant": "yes", "re-ordering invariant": "yes", "exists": "yes"},
-    "sclerp": {"steady": "yes", "isometry kept": "yes", "left invariant": "yes", "affine invariant": "–", "ARA = 0": "0"},
+    "sclerp": {
+        "steady": "yes",
+        "isometry kept": "yes",
+        "left invariant": "yes",
+        "affine invariant": "–",
+        "ARA = 0": "0",
+    },
     "dual_quaternion_linear": {"steady": "no", "isometry kept": "yes", "right invariant": "not pi", "exists": "yes"},
 }
 

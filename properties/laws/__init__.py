@@ -7,6 +7,7 @@ from affinecert.properties.laws import (
     canonical_tetrahedron,
     closure,
     coincidence,
+    curve_length,
     decomposition,
     endpoints,
     equivariance,
@@ -16,6 +17,7 @@ from affinecert.properties.laws import (
     great_arcs,
     isometry,
     one_parameter,
+    path_invariance,
     reversibility,
     similarity,
     steadiness,
@@ -41,4 +43,6 @@ LAWS: tuple[Law, ...] = (
     *fixed_point.LAWS,
     *coincidence.LAWS,
     *great_arcs.LAWS,
+    *curve_length.LAWS,
+    *path_invariance.LAWS,
 )
