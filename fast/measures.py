@@ -11,7 +11,7 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from affinecert.errors import InputError
 from affinecert.fast import _wide, affine_lie
@@ -52,7 +52,7 @@ def average_relative_acceleration(poses: ArrayLike, points: ArrayLike) -> Array:
         raise InputError("points", f"shape {places.shape}: at least one point is due")
     _with_last_row(path)
     wide = _wide.widen(path)
-    refuse(_wide.determinant_sign(wide).min(axis=-1, initial=1.0) > 0.0, False, "poses", DETERMINANT, path.shape[:-3])
+    _require((_wide.determinant_sign(wide) > 0.0).all(axis=-1), "poses", DETERMINANT)
     before, after = wide[..., :-1, :, :, :], wide[..., 1:, :, :, :]
     step = _wide.product(_wide.inverse(before), _wide.subtract(after, before))
     # Points as columns, so that one product moves them all: (..., steps, n - 1, points, 2).
@@ -143,7 +143,7 @@ def degeneracy(poses: ArrayLike) -> Array:
         raise InputError("poses", f"shape {path.shape}: at least one pose is due")
     _with_last_row(path)
     ends = _wide.determinant_sign(_wide.widen(path[..., [0, -1], :, :]))
-    refuse(ends.min(axis=-1) > 0.0, False, "poses", END, path.shape[:-3])
+    _require((ends > 0.0).all(axis=-1), "poses", END)
     volumes = _volume(path)
     least = _least(volumes[..., [0, -1], :])
     return _wide.rounded(_wide.divide(_wide.subtract(least, _least(volumes)), least))
@@ -193,15 +193,18 @@ def rotation_curve_length(first: ArrayLike, second: ArrayLike) -> Array:
         # Each entry cut down to one more radian, lest a square overflows; the sum is told from 64^2 to its last bit.
         entries = _wide.widen(np.clip(vector, -LONGEST - 1.0, LONGEST + 1.0))
         excess = _wide.subtract(_total(_wide.multiply(entries, entries), -2), _wide.widen(np.array(LONGEST**2)))
-        within = excess[..., 0] <= 0.0
-        refuse(within, False, name, "longer than 64 radians", within.shape)
+        _require(excess[..., 0] <= 0.0, name, "longer than 64 radians")
     return curve_length(*arrays)
 
 
 def _with_last_row(path: Array) -> None:
     """Refuses paths with a pose whose last row is not 0 ... 0 1."""
-    good = (path[..., -1, :] == np.eye(path.shape[-1])[-1]).all(axis=(-2, -1))
-    refuse(good, False, "poses", LAST_ROW, good.shape)
+    _require((path[..., -1, :] == np.eye(path.shape[-1])[-1]).all(axis=(-2, -1)), "poses", LAST_ROW)
+
+
+def _require(good: NDArray[np.bool_] | np.bool_, argument: str, reason: str) -> None:
+    """Raises InputError for the first item that is not good, if any."""
+    refuse(np.asarray(good, dtype=np.float64), 0.0, argument, reason, np.shape(good))
 
 
 def _volume(path: Array) -> Array:

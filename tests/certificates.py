@@ -65,27 +65,19 @@ def law(name: str, verdict: str = "passed", worst: float = 0.4, note: str = "") 
     return LawRecord(name, f"the statement of {name}", "Lemma 1", "everywhere", verdict, worst, 16.0, 25, inputs, note)
 
 
-POSE = [
-    ["0x1.0p+0", "0x0.0p+0", "-0x1.8p+0"],
-    ["0x0.0p+0", "0x1.0p+0", "0x0.0p+0"],
-    ["0x0.0p+0", "0x0.0p+0", "0x1.0p+0"],
-]
+POSE = [["0x1.0p+0", "0x0.0p+0", "-0x1.8p+0"], ["0x0.0p+0", "0x1.0p+0", "0x0.0p+0"], ["0x0.0p+0"] * 2 + ["0x1.0p+0"]]
 
 
 def morph_laws() -> tuple[MorphLawRecord, ...]:
     """Every kind of cell, of two morphs and of one that nobody knows, with an infinite residual and hostile texts."""
-    takes, similar = "all pairs", "C B^-1 is a similarity"
-    poses = (POSE, POSE)
+    takes, similar, where = "all pairs", "C B^-1 is a similarity", "where it exists"
+    poses, two_pairs = (POSE, POSE), (POSE, POSE, POSE, POSE)
     return (
-        MorphLawRecord(
-            "sam", "steady", "holds", takes, residual=1e-16, examples=40, confirmed=True, note="where it exists"
-        ),
+        MorphLawRecord("sam", "steady", "holds", takes, residual=1e-16, examples=40, confirmed=True, note=where),
         MorphLawRecord("sam", "ARA = 0", "holds", takes, examples=40, confirmed=True, value=1e-13),
         MorphLawRecord("linear", "steady", "fails", takes, (similar,), math.inf, 40, poses, True),
         MorphLawRecord("linear", "ARA = 0", "partly", takes, (similar,), 0.5, 40, poses, True, 3.75),
-        MorphLawRecord(
-            "sclerp", "steady", "partly", takes, (HOSTILE,), 0.5, 40, (*poses, *poses), False, None, HOSTILE
-        ),
+        MorphLawRecord("sclerp", "steady", "partly", takes, (HOSTILE,), 0.5, 40, two_pairs, False, None, HOSTILE),
         MorphLawRecord("sclerp", "ARA = 0", "unclear", HOSTILE, note=HOSTILE),
         MorphLawRecord("nobody's", "steady", "void", takes),
         MorphLawRecord("nobody's", "ARA = 0", "absent", takes),

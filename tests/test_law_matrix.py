@@ -129,7 +129,7 @@ def test_what_is_no_pose_counts_as_none() -> None:
     cell = trial(careless, Morph("linear", "morphs.linear"))(exists)
     assert from_hex(cell.inputs[1])[0, 0] > 1.5
     assert not cell.confirmed
-    nothing = trial(lambda start, end, t: np.zeros(3), STEADY)  # type: ignore[arg-type, return-value]
+    nothing = trial(lambda start, end, t: np.zeros(3), STEADY)
     assert nothing(LAWS[0]).verdict == "void"
     assert nothing(exists).verdict == "fails"
 

@@ -108,8 +108,8 @@ def test_markdown_names_every_map_regime_finding_and_law(certificate: Certificat
         assert f"| {law.name} | {law.verdict} |" in text
     for name in certificate.absent:
         assert f"`{name}`" in text
-    for row in matrix.rows(certificate.morph_laws):
-        assert f"| {row.morph} | {' | '.join(escape(matrix.word(cell)) for cell in row.cells)} |" in text
+    for cells in matrix.rows(certificate.morph_laws):
+        assert f"| {cells.morph} | {' | '.join(escape(matrix.word(cell)) for cell in cells.cells)} |" in text
 
 
 def test_markdown_lets_no_text_out_of_its_cell() -> None:
