@@ -10,7 +10,7 @@ import pytest
 
 import affinecert
 
-FAMILIES = ("so3", "se3", "scale", "shear", "affine_lie", "sam")
+FAMILIES = ("so3", "se3", "scale", "shear", "affine_lie", "sam", "homotopy2", "mesh2", "mesh3")
 
 MODULES = [found.name for found in pkgutil.iter_modules(affinecert.__path__, "affinecert.") if not found.ispkg]
 
