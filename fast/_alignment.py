@@ -35,7 +35,7 @@ def _reduced(x: Numbers) -> int:
 
 
 @compiled
-def _normalised(x: Numbers) -> complex:
+def normalised(x: Numbers) -> complex:
     """Divides a vector by its length, which is returned."""
     exponent = _reduced(x)
     length = norm(x)
@@ -45,7 +45,7 @@ def _normalised(x: Numbers) -> complex:
 
 
 @compiled
-def _reduced_by(axis: Numbers, x: Numbers) -> complex:
+def reduced_by(axis: Numbers, x: Numbers) -> complex:
     """Takes from a vector its part along a unit vector, and returns the length of that part."""
     length = dot(axis, x)
     for i in range(len(x)):
@@ -61,14 +61,14 @@ def align(vectors: Numbers, orientation: float, axes: Numbers, parts: Numbers) -
     sign of x_3 . q_3, or 0 if it is not sure. Given two vectors only, q_3 stands for the third one.
     """
     first, second = vectors[0].copy(), vectors[1].copy()
-    parts[0, 0] = _normalised(first)
+    parts[0, 0] = normalised(first)
     exponent = _reduced(second)
-    along = _reduced_by(first, second)
-    across = _normalised(second)
+    along = reduced_by(first, second)
+    across = normalised(second)
     # Once more: what is left of a vector nearly along the first axis is not orthogonal to it.
-    correction = _reduced_by(first, second)
+    correction = reduced_by(first, second)
     parts[1, 0] = shifted(multiply_add(across, correction, along), exponent)
-    parts[1, 1] = shifted(multiply(across, _normalised(second)), exponent)
+    parts[1, 1] = shifted(multiply(across, normalised(second)), exponent)
     third = cross(first, second)
     for i in range(len(third)):
         third[i] = scaled(third[i], orientation)

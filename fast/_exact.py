@@ -65,19 +65,27 @@ def definiteness(matrix: Array) -> float:
     return 1.0 if min(minors) > 0 else -1.0
 
 
-def turns_by_pi(linear: Array, axis: Array) -> bool:
-    """Whether the rotation of the polar factors of a matrix (3, 3) is by pi; its axis, if it is, is known roughly.
+def half_turn(linear: Array, axis: Array) -> list[bool] | None:
+    """Whether the rotation of the polar factors of a matrix (3, 3) is by pi, and then which entries of its axis are 0.
 
-    The quaternion is an eigenvector of [[tr L, z^T], [z, M]], z the vector of L - L^T, M = L + L^T - tr L I. It is
-    (0, x) if x is an eigenvector of M across z: then z, M z and M^2 z lie in a plane, x is normal to it if that is all
-    they span, and across z if M z is along z.
+    Its axis, if it is, is known roughly. The quaternion of the rotation is an eigenvector of [[tr L, z^T], [z, M]], z
+    the vector of L - L^T and M = L + L^T - tr L I; it is (0, x) if x is an eigenvector of M across z.
     """
     n = integers(linear)
-    z = [n[2][1] - n[1][2], n[0][2] - n[2][0], n[1][0] - n[0][1]]
-    if not any(z):
-        return True
     trace = n[0][0] + n[1][1] + n[2][2]
     m = [[n[i][j] + n[j][i] - trace * (i == j) for j in range(3)] for i in range(3)]
+    if not _is_across(m, axis, [n[2][1] - n[1][2], n[0][2] - n[2][0], n[1][0] - n[0][1]]):
+        return None
+    return [_is_across(m, axis, [int(i == j) for j in range(3)]) for i in range(3)]
+
+
+def _is_across(m: Integers, axis: Array, z: Sequence[int]) -> bool:
+    """Whether the eigenvector of a symmetric matrix next to an axis is at a right angle to a vector z.
+
+    Then z, M z and M^2 z lie in a plane, and it is normal to that if they span it; if M z is along z, it is across z.
+    """
+    if not any(z):
+        return True
     once = [sum(x * y for x, y in zip(row, z, strict=True)) for row in m]
     twice = [sum(x * y for x, y in zip(row, once, strict=True)) for row in m]
     normal = [z[i - 2] * once[i - 1] - z[i - 1] * once[i - 2] for i in range(3)]

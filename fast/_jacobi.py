@@ -11,18 +11,19 @@ import math
 
 import numpy as np
 
-from affinecert.fast._alignment import align
+from affinecert.fast._alignment import normalised, reduced_by
 from affinecert.fast._double_double import (
     ONE,
     add,
     divide,
     multiply,
     multiply_add,
+    scaled,
     square_root,
     subtract,
 )
 from affinecert.fast._kernel import compiled
-from affinecert.fast._numbers import Numbers, dot, shifted
+from affinecert.fast._numbers import Numbers, cross, dot, shifted
 
 # Coordinates whose coupling is below this part of the geometric mean of their diagonal entries are left alone: some
 # eight units of 2^-106, what the products that make it may be wrong by.
@@ -51,17 +52,23 @@ def _tangent(difference: complex, coupling: complex) -> complex:
 
 
 @compiled
-def _turn_columns(matrix: Numbers, p: int, q: int, cosine: complex, sine: complex) -> None:
-    """Rotates two columns into one another."""
-    for i in range(matrix.shape[0]):
-        x, y = matrix[i, p], matrix[i, q]
-        matrix[i, p] = subtract(multiply(cosine, x), multiply(sine, y))
-        matrix[i, q] = multiply_add(sine, x, multiply(cosine, y))
+def _turn(matrix: Numbers, p: int, q: int, cosine: complex, sine: complex) -> None:
+    """Rotates two rows into one another."""
+    for i in range(matrix.shape[1]):
+        x, y = matrix[p, i], matrix[q, i]
+        matrix[p, i] = subtract(multiply(cosine, x), multiply(sine, y))
+        matrix[q, i] = multiply_add(sine, x, multiply(cosine, y))
+
+
+@compiled
+def _uncoupled(x: complex, y: complex, coupling: complex) -> bool:
+    """Whether a coupling of two coordinates is none, next to their diagonal entries."""
+    return abs(coupling.real) <= UNCOUPLED * math.sqrt(abs(x.real)) * math.sqrt(abs(y.real))
 
 
 @compiled
 def eigenvectors(matrix: Numbers) -> Numbers:
-    """The eigenvectors of a symmetric matrix, in columns; diagonalises the matrix, whose upper half counts."""
+    """The eigenvectors of a symmetric matrix, in rows; diagonalises the matrix, whose upper half counts."""
     size = matrix.shape[0]
     vectors = identity(size)
     for _ in range(MOST_SWEEPS):
@@ -69,7 +76,7 @@ def eigenvectors(matrix: Numbers) -> Numbers:
         for p in range(size - 1):
             for q in range(p + 1, size):
                 x, y, coupling = matrix[p, p], matrix[q, q], matrix[p, q]
-                if abs(coupling.real) <= UNCOUPLED * math.sqrt(abs(x.real)) * math.sqrt(abs(y.real)):
+                if _uncoupled(x, y, coupling):
                     continue
                 coupled = True
                 tangent = _tangent(subtract(y, x), coupling)
@@ -83,51 +90,65 @@ def eigenvectors(matrix: Numbers) -> Numbers:
                     x, y = matrix[first], matrix[second]
                     matrix[first] = subtract(multiply(cosine, x), multiply(sine, y))
                     matrix[second] = multiply_add(sine, x, multiply(cosine, y))
-                _turn_columns(vectors, p, q, cosine, sine)
+                _turn(vectors, p, q, cosine, sine)
         if not coupled:
             break
     return vectors
 
 
 @compiled
-def _orthogonal_columns(matrix: Numbers) -> Numbers:
-    """The rotation V that makes the columns of L V orthogonal; L, which has three columns, becomes that product."""
-    size = matrix.shape[0]
-    vectors = identity(size)
+def _orthogonal(columns: Numbers) -> Numbers:
+    """The rotation V, in rows its columns, that makes the columns of L V orthogonal; those of L, in rows, become so."""
+    vectors = identity(3)
     for _ in range(MOST_SWEEPS):
         coupled = False
-        for p in range(size - 1):
-            for q in range(p + 1, size):
-                x, y = dot(matrix[:, p], matrix[:, p]), dot(matrix[:, q], matrix[:, q])
-                coupling = dot(matrix[:, p], matrix[:, q])
-                if abs(coupling.real) <= UNCOUPLED * math.sqrt(x.real) * math.sqrt(y.real):
-                    continue
-                coupled = True
-                tangent = _tangent(subtract(y, x), coupling)
-                cosine = divide(ONE, square_root(multiply_add(tangent, tangent, ONE)))
-                sine = multiply(tangent, cosine)
-                _turn_columns(matrix, p, q, cosine, sine)
-                _turn_columns(vectors, p, q, cosine, sine)
+        for p, q in ((0, 1), (0, 2), (1, 2)):
+            x, y, coupling = dot(columns[p], columns[p]), dot(columns[q], columns[q]), dot(columns[p], columns[q])
+            if _uncoupled(x, y, coupling):
+                continue
+            coupled = True
+            tangent = _tangent(subtract(y, x), coupling)
+            cosine = divide(ONE, square_root(multiply_add(tangent, tangent, ONE)))
+            sine = multiply(tangent, cosine)
+            _turn(columns, p, q, cosine, sine)
+            _turn(vectors, p, q, cosine, sine)
         if not coupled:
             break
     return vectors
 
 
 @compiled
-def _size(column: Numbers) -> float:
+def _size(x: Numbers) -> float:
     """The length of a vector."""
-    return math.hypot(math.hypot(column[0].real, column[1].real), column[2].real)
+    return math.hypot(math.hypot(x[0].real, x[1].real), x[2].real)
 
 
 @compiled
-def _by_length(matrix: Numbers) -> tuple[int, int, int]:
-    """The numbers of three columns, the longest first."""
-    a, b, c = _size(matrix[:, 0]), _size(matrix[:, 1]), _size(matrix[:, 2])
+def _by_length(rows: Numbers) -> tuple[int, int, int]:
+    """The numbers of three vectors, the longest first."""
+    a, b, c = _size(rows[0]), _size(rows[1]), _size(rows[2])
     first = 0 if a >= b and a >= c else 1 if b >= c else 2
     p, q = (first + 1) % 3, (first + 2) % 3
-    if _size(matrix[:, p]) < _size(matrix[:, q]):
+    if _size(rows[p]) < _size(rows[q]):
         p, q = q, p
     return first, p, q
+
+
+@compiled
+def _across(first: Numbers, second: Numbers) -> None:
+    """Makes the second of two vectors, the first of length 1, of length 1 too and at a right angle, or of any such."""
+    if not abs(dot(first, second).real) < 0.5 * _size(second):
+        # Rounding is all that is left of it, or nothing.
+        x, y, z = first
+        if abs(x.real) + abs(y.real) >= abs(z.real):
+            second[0], second[1], second[2] = -y, x, 0j
+        else:
+            second[0], second[1], second[2] = 0j, -z, y
+    # Twice: what is left of one nearly along the first is not orthogonal to it.
+    for _ in range(2):
+        normalised(second)
+        reduced_by(first, second)
+    normalised(second)
 
 
 @compiled
@@ -137,29 +158,21 @@ def _rotation_of_space(linear: Numbers) -> Numbers:
     With the columns of L V orthogonal, U is what Gram and Schmidt's method makes of the longer two, and their vector
     product: so the rotation is as accurate as it is determined, by the sum of the two smaller singular values.
     """
-    size = 3
-    columns = linear.copy()
-    vectors = _orthogonal_columns(columns)
-    order = _by_length(columns)
-    rows, axes = np.empty((2, size), dtype=np.complex128), np.empty((size, size), dtype=np.complex128)
-    for i in range(2):
-        for j in range(size):
-            rows[i, j] = columns[j, order[i]]
-    if not abs(dot(rows[0], rows[1]).real) < 0.5 * _size(rows[0]) * _size(rows[1]):
-        # Rounding is all that is left of the second, or nothing: any direction across the first will do.
-        x, y, z = rows[0, 0], rows[0, 1], rows[0, 2]
-        if abs(x.real) + abs(y.real) >= abs(z.real):
-            rows[1, 0], rows[1, 1] = -y, x
-        else:
-            rows[1, 1], rows[1, 2] = -z, y
+    columns = linear.T.copy()
+    vectors = _orthogonal(columns)
+    longest, middle, shortest = _by_length(columns)
+    normalised(columns[longest])
+    _across(columns[longest], columns[middle])
+    normal = cross(columns[longest], columns[middle])
     # The order is cyclic, or it mirrors.
-    parity = 1.0 if order[1] == (order[0] + 1) % 3 else -1.0
-    align(rows, parity, axes, np.empty((size, size), dtype=np.complex128))
-    rotation = np.zeros((size, size), dtype=np.complex128)
-    for n in range(size):
-        for i in range(size):
-            for j in range(size):
-                rotation[i, j] = multiply_add(axes[n, i], vectors[j, order[n]], rotation[i, j])
+    parity = 1.0 if middle == (longest + 1) % 3 else -1.0
+    for n in range(3):
+        columns[shortest, n] = scaled(normal[n], parity)
+    rotation = np.zeros((3, 3), dtype=np.complex128)
+    for i in range(3):
+        for j in range(3):
+            for n in range(3):
+                rotation[i, j] = multiply_add(columns[n, i], vectors[n, j], rotation[i, j])
     return rotation
 
 

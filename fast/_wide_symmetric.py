@@ -27,7 +27,7 @@ UNDECIDED, DEFINITE, NOT_DEFINITE, NOT_SYMMETRIC = 0.0, 1.0, -1.0, -2.0
 
 # Exponentials are kept below 2^LARGE until the last step, lest products overflow that are small again in the end.
 LARGE = 900
-# Beyond it the exponential is infinite even then, below its negative 0: it stands for all that are.
+# Beyond it the exponential is infinite even then, below its negative 0: the largest stands for all that are.
 MOST_EXPONENT = 1300.0
 
 # A - A^T may be this part of A in the Frobenius norm: rounding to float32 leaves under 9e-8.
@@ -51,8 +51,12 @@ def _logarithms(values: Numbers, exponent: int) -> None:
 @compiled
 def _exponentials(values: Numbers) -> int:
     """Takes the exponentials, divided by a power of two that keeps the largest in bounds; its exponent is returned."""
-    exponents = np.empty(len(values), dtype=np.int64)
+    exponents, largest = np.empty(len(values), dtype=np.int64), -math.inf
     for i in range(len(values)):
+        largest = max(largest, values[i].real)
+    for i in range(len(values)):
+        if MOST_EXPONENT < largest < math.inf:
+            values[i] = add(subtract(values[i], complex(largest, 0.0)), complex(MOST_EXPONENT, 0.0))
         if not abs(values[i].real) < MOST_EXPONENT:
             values[i] = complex(math.copysign(MOST_EXPONENT, values[i].real), 0.0)
         values[i], exponents[i] = split_exponential(values[i])
@@ -119,7 +123,7 @@ def symmetric(
     for i in range(size):
         for j in range(i + 1):
             for k in range(size):
-                answer[i, j] = multiply_add(multiply(vectors[i, k], values[k]), vectors[j, k], answer[i, j])
+                answer[i, j] = multiply_add(multiply(vectors[k, i], values[k]), vectors[k, j], answer[i, j])
             if function == POWER and t == 0.0:
                 answer[i, j] = ONE if i == j else 0j
             elif function == POWER and t == 1.0:

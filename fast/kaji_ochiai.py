@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from affinecert.errors import InputError
 from affinecert.fast import _wide as wide
-from affinecert.fast._exact import turns_by_pi
+from affinecert.fast._exact import half_turn
 from affinecert.fast._kernel import Array, checked
 from affinecert.fast._natural_spline import natural_spline_weights
 from affinecert.fast._stages import refuse
@@ -148,15 +148,21 @@ def _factors(name: str, affine: Array, things: int = 0) -> _Factors:
 
 
 def _settle_half_turns(affine: Array, turn: Array) -> None:
-    """Makes rotations by pi exactly symmetric, decided in integers where an ill-conditioned matrix leaves it open."""
+    """Makes rotations by pi exactly symmetric, and zeros of their axes exact.
+
+    Both are decided in integers: of an ill-conditioned matrix double-doubles leave them open.
+    """
     rough = turn[..., 0]
     skew = np.abs(rough - np.swapaxes(rough, -1, -2)).max(axis=(-2, -1))
     halves = (skew <= NEARLY_SYMMETRIC) & (np.trace(rough, axis1=-2, axis2=-1) < 0.0)
     for index in map(tuple, np.argwhere(halves)):
         # R + I is 2 x x^T, x the axis: any of its columns will do that is not small.
         column = int(np.argmax(np.diagonal(rough[index])))
-        if turns_by_pi(affine[index][:3, :3], rough[index][:, column] + np.eye(3)[column]):
+        zeros = half_turn(affine[index][:3, :3], rough[index][:, column] + np.eye(3)[column])
+        if zeros is not None:
             turn[index] = 0.5 * wide.add(turn[index], wide.transposed(turn[index]))
+            for k in np.flatnonzero(zeros):
+                turn[(*index, k)] = turn[(*index, slice(None), k)] = wide.widen(-np.eye(3)[k])
 
 
 def _principal(factors: _Factors) -> Array:

@@ -66,7 +66,10 @@ def log_near(ctx: Context, rotation: Array, near: Array) -> Array:
 
 
 def vector_near(ctx: Context, axis: Array, angle: Number, near: Array) -> Array:
-    """Of the vectors (angle + 2 pi k) axis the one nearest to ``near``, as in `log_near`."""
+    """Among the rotation vectors (angle + 2 pi k) axis the one nearest to ``near``, with the conventions of `log_near`.
+
+    The axis of an angle of 0 is the direction of ``near``.
+    """
     if angle == 0:
         length = norm(ctx, near)
         axis = near / length if length else axis
@@ -87,15 +90,20 @@ def continue_log_near(ctx: Context, base: Array, rotation: Array, near: Array) -
 
 
 def project(ctx: Context, name: str, matrix: Array) -> Array:
-    """The rotation nearest to a matrix B in the Frobenius norm, (3, 3) -> (3, 3): its orthogonal polar factor.
-
-    Markley, Attitude determination using vector observations: a fast optimal matrix algorithm (1993): with lambda, the
-    sum of the singular values, the largest root of (x^2 - ||B||^2)^2 - 8 x det B - 4 ||adj B||^2, the rotation is
-    ((kappa + ||B||^2) B + lambda adj(B)^T - B B^T B) / (kappa lambda - det B), kappa = (lambda^2 - ||B||^2) / 2.
-    Raises InputError if B is no rotation to within 1e-6.
-    """
+    """The rotation nearest to a matrix that is one to within 1e-6, (3, 3) -> (3, 3); InputError for any other."""
     gram = matrix.T @ matrix
     _domain.rotation(ctx, name, matrix, gram)
+    return nearest_rotation(ctx, matrix, gram)
+
+
+def nearest_rotation(ctx: Context, matrix: Array, gram: Array) -> Array:
+    """The rotation nearest in the Frobenius norm to a matrix B near a multiple of one, given with B^T B, (3, 3).
+
+    It is the orthogonal polar factor of B. Markley, Attitude determination using vector observations: a fast optimal
+    matrix algorithm (1993): with lambda, the sum of the singular values, the largest root of
+    (x^2 - ||B||^2)^2 - 8 x det B - 4 ||adj B||^2, the rotation is
+    ((kappa + ||B||^2) B + lambda adj(B)^T - B B^T B) / (kappa lambda - det B), kappa = (lambda^2 - ||B||^2) / 2.
+    """
     cofactors = array([cross(matrix[1], matrix[2]), cross(matrix[2], matrix[0]), cross(matrix[0], matrix[1])])
     square, determinant = gram.trace(), dot(ctx, matrix[0], cofactors[0])
     total = _sum_of_singular_values(ctx, square, determinant, dot(ctx, cofactors.flat, cofactors.flat))
@@ -109,7 +117,7 @@ def _sum_of_singular_values(ctx: Context, square: Number, determinant: Number, c
     """The largest root of (x^2 - square)^2 - 8 x determinant - 4 cofactor_square, from above by Newton's method.
 
     From sqrt(3 square), which no sum of three numbers of that sum of squares exceeds, the steps only go down, and
-    quadratically, for the root near 3 is simple.
+    quadratically, for that root is simple where the singular values are nearly equal.
     """
     x = ctx.sqrt(3 * square)
     tolerance = ctx.ldexp(x, 4 - ctx.prec)

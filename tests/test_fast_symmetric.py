@@ -109,7 +109,11 @@ def test_results_are_exactly_symmetric() -> None:
 
 
 def test_beyond_the_range_entries_are_infinite_or_zero() -> None:
-    assert np.array_equal(sym3.exp(np.diag([1e300, 0.0, -1e300])), np.diag([np.inf, 1.0, 0.0]))
+    assert np.array_equal(sym3.exp(np.diag([1200.0, 0.0, -1200.0])), np.diag([np.inf, 1.0, 0.0]))
+    assert np.array_equal(sym3.exp(np.diag([1e300, 1e300, -1e300])), np.diag([np.inf, np.inf, 0.0]))
+    # Eigenvectors (1, -2, 0) of 1e5 and (2, 1, 0) of 0: the signs are those of the larger one.
+    signs = sym3.exp(1e4 * np.array([[2.0, -4, 0], [-4, 8, 0], [0, 0, 0]]))[:2, :2]
+    assert np.array_equal(signs, [[np.inf, -np.inf], [-np.inf, np.inf]])
     assert np.array_equal(sym3.power(np.diag([4.0, 1.0, 0.25]), 600.0), np.diag([np.inf, 1.0, 0.0]))
     # 1000 log 2 each way: no intermediate result may overflow where the result does not.
     assert sym3.power(np.diag([2.0, 1.0, 1.0]), 1000.0)[0, 0] == 2.0**1000

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from affinecert.catalogue import stretches
 from affinecert.catalogue.parts import ENTRIES, TIME, WHOLE
 from affinecert.catalogue.times import about_time, timed
@@ -56,7 +58,9 @@ MAPS = (
         arguments=(MATRIX, TIME),
         outputs=((3, 3),),
         blocks=(Block("power", 0, WHOLE),),
-        regimes=(*timed(REGIMES), *about_time(REGIMES[0])),
+        regimes=tuple(
+            replace(regime, share=0.5 * regime.share) for regime in (*timed(REGIMES), *about_time(REGIMES[0]))
+        ),
         reference=reference.power,
         cost=6.0,
         remark=GRADED,

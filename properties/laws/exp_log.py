@@ -34,12 +34,12 @@ def _log_of_exp(family: str, maps: Maps, element: Array) -> float:
     return _blocks(back, _exactly(element, back))
 
 
-GIVEN: Mapping[str, Callable[[Array], Answer]] = {
+KNOWN: Mapping[str, Callable[[Array], Answer]] = {
     "so3": near_rotation,
     "se3": near_rigid,
     "sym3": partial(near_symmetric, name="exponential"),
 }
-"""What an element stands for where it is not itself: the nearest one of the group."""
+"""What a matrix that is in a group but for its rounding stands for."""
 
 
 def _inside_the_cut(omega: Array, rotation: Answer) -> None:
@@ -50,7 +50,7 @@ def _inside_the_cut(omega: Array, rotation: Answer) -> None:
 
 def _exp_of_log(family: str, maps: Maps, element: Array) -> float:
     back = ask(maps, f"{family}.exp", ask(maps, f"{family}.log", element))
-    known = GIVEN.get(family, partial(_exactly, like=back))
+    known = KNOWN.get(family, partial(_exactly, like=back))
     return _blocks(back, known(element))
 
 

@@ -21,7 +21,7 @@ from affinecert.sampling import homogeneous, scalar, vector
 NONE, UNIFORM, ANY = "none", "uniform", "any"
 """How a class may stretch."""
 
-COUNT = 3
+COUNT = 2
 """Poses that are blended, or interpolated."""
 
 

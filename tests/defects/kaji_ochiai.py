@@ -195,4 +195,5 @@ def about_the_origin_only(points: Array, probes: Array, weights: Array) -> Array
 def weights_of_the_first_point(points: Array, probes: Array, weights: Array) -> Array:
     """All points have the weights of the first."""
     blended = kaji_ochiai.blend(probes, weights[:, 0])
-    return np.stack([times(blended[:, :3, :3], points[:, k]) + blended[:, :3, 3] for k in range(3)], axis=1)
+    images = (times(blended[:, :3, :3], place) + blended[:, :3, 3] for place in np.moveaxis(points, 1, 0))
+    return np.stack(list(images), axis=1)
