@@ -84,7 +84,7 @@ def blend(rest: ArrayLike, targets: ArrayLike, triangles: ArrayLike, weights: Ar
     one piece with all vertices, and a triangle without area.
 
     >>> rest = np.array([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 2.0, 0.0]])
-    >>> blend(rest, [4.0 * rest], [[0.0, 1.0, 2.0]], [0.5])
+    >>> blend(rest, [4.0 * rest], [[0.0, 1.0, 2.0]], [0.5]).round(15) + 0.0
     array([[-2., -2.,  0.],
            [ 2., -2.,  0.],
            [ 0.,  4.,  0.]])
