@@ -30,7 +30,7 @@ def square() -> tuple[Array, Array]:
 def ring(source: Array) -> Array:
     """The square bent to two thirds of a ring, half as thick as its inner radius."""
     x, y = source.T
-    return np.stack([np.sin(4.2 * x), -np.cos(4.2 * x)], axis=-1) * (3.0 - y)[:, None]
+    return np.asarray(np.stack([np.sin(4.2 * x), -np.cos(4.2 * x)], axis=-1) * (3.0 - y)[:, None])
 
 
 def relief(source: Array) -> Array:

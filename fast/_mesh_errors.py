@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
 
@@ -26,6 +27,10 @@ GROWTHS: Mapping[str, Callable[[Factors, Array], Growth] | None] = MappingProxyT
     {"linear": None, "polar": _homotopy.linear, "exponential": _homotopy.exponential}
 )
 """How S grows in each homotopy; A^L does without S."""
+
+
+# Errors of inner products of edges in pairs are below 2^-100 of the product of their lengths.
+NEARLY_PI = 2.0**-96
 
 
 @dataclass(frozen=True)
@@ -61,12 +66,32 @@ def homotopies(
         subtract(complex_product(x, g), complex_product(y, e)),
     )
     doubled = 2.0 * areas[0][:, None, :]
+    _settle_half_turns(numerators[0], areas[0], source, target, triangles)
     a, b = (divide(np.stack([n[:, 1], -n[:, 0]], axis=-2), doubled) for n in numerators)
     factors = _homotopy.factors(a, b, divide(areas[1], areas[0]))
     if coherent:
         turns = coherent_turns(factors.angle[:, 0], triangles)
         factors = factors._replace(angle=add(factors.angle, times(TWO_PI, turns)))
     return Homotopies((a, b), factors, GROWTHS[name])
+
+
+def _settle_half_turns(numerators: Array, areas: Array, source: Array, target: Array, triangles: Indices) -> None:
+    """Decides exactly to which side of pi triangles turn whose ``numerators`` 2 i D a are negative multiples of i D.
+
+    The real part of (y e* - x g*) is a difference of inner products, mostly exact, and 0 for turns by pi.
+    """
+    real, imaginary = numerators[:, 0, 0], numerators[:, 1, 0]
+    doubtful = (np.abs(real) <= NEARLY_PI * np.abs(imaginary)) & (real != 0.0) & (imaginary * areas[:, 0] < 0.0)
+    for face in np.flatnonzero(doubtful):
+        (e, g), (x, y) = (_exact_edges(shape[triangles[face]]) for shape in (source, target))
+        exact = sum(p * q for p, q in zip(y, e, strict=True)) - sum(p * q for p, q in zip(x, g, strict=True))
+        high = float(exact)
+        numerators[face, 0] = high, float(exact - Fraction(high))
+
+
+def _exact_edges(corners: Array) -> list[list[Fraction]]:
+    first, *others = ([Fraction(x) for x in corner] for corner in corners.tolist())
+    return [[x - y for x, y in zip(other, first, strict=True)] for other in others]
 
 
 def _edges(vertices: Array, triangles: Indices) -> tuple[Array, Array]:

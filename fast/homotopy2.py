@@ -84,7 +84,10 @@ def _factors(matrix: Array) -> Factors:
     a = 0.5 * np.stack([add(first, fourth), subtract(third, second)], axis=-2)
     b = 0.5 * np.stack([subtract(first, fourth), add(third, second)], axis=-2)
     determinant = subtract(multiply(first, fourth), multiply(second, third))
-    return _homotopy.shifted(_homotopy.factors(a, b, determinant), exponent)
+    known = _homotopy.shifted(_homotopy.factors(a, b, determinant), exponent)
+    # The side on which a turn by nearly pi is may have underflowed.
+    backwards = (matrix[..., 1, 0] < matrix[..., 0, 1])[..., None]
+    return known._replace(angle=np.where(backwards & (known.angle[..., :1] > 0.0), -known.angle, known.angle))
 
 
 def _at_the_ends(matrix: Array, time: Array, between: Array) -> Array:

@@ -82,6 +82,12 @@ def blend(rest: ArrayLike, targets: ArrayLike, triangles: ArrayLike, weights: Ar
     equations depend on the shape at rest only: they are factored once for all weights. Raises InputError for a wrong
     shape or dtype, numbers that are not finite, triangles that are no triples of different vertices, a mesh that is not
     one piece with all vertices, and a triangle without area.
+
+    >>> rest = np.array([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 2.0, 0.0]])
+    >>> blend(rest, [4.0 * rest], [[0.0, 1.0, 2.0]], [0.5]).round(15) + 0.0
+    array([[-2., -2.,  0.],
+           [ 2., -2.,  0.],
+           [ 0.,  4.,  0.]])
     """
     inputs = {
         "rest": ("vertices", 3),

@@ -23,6 +23,7 @@ from affinecert.reference import _domain, homotopy2
 from affinecert.reference._exact import determinant_sign
 from affinecert.reference._least_squares import Square, minimiser
 from affinecert.reference._matrices import Array, Context, Number, array, scalar
+from affinecert.reference._precision import span
 from affinecert.reference._triangulation import Triple, pieces, triples
 
 
@@ -145,17 +146,25 @@ def _face(
 ) -> Face:
     """The triangle of those vertices, given all coordinates in source and target, and the precision."""
     source, target = (array(each).reshape(3, 2) for each in (before, after))
-    edges, goals = (array([points[1] - points[0], points[2] - points[0]]).T for points in (source, target))
-    sign = determinant_sign(edges)
-    if sign == 0:
-        raise InputError("source", "a triangle without area")
-    if determinant_sign(goals) != sign:
-        raise InputError("target", "a triangle without area, or turned over")
-    (a, b), (c, d) = edges
-    double = a * d - b * c
-    inverse = array([[d, -b], [-c, a]]) / double
-    corners = source - sum(source) / 3
-    return Face(vertices, inverse, corners, abs(double) / 2, homotopy2.exponential(ctx, goals @ inverse, scalar(t)))
+    # Differences and products are exact, so that a turn by pi leaves the two entries equal that tell its side.
+    with ctx.extraprec(2 * span(source, target)):
+        edges, goals = (array([points[1] - points[0], points[2] - points[0]]).T for points in (source, target))
+        sign = determinant_sign(edges)
+        if sign == 0:
+            raise InputError("source", "a triangle without area")
+        if determinant_sign(goals) != sign:
+            raise InputError("target", "a triangle without area, or turned over")
+        (a, b), (c, d) = edges
+        double = a * d - b * c
+        adjugate = array([[d, -b], [-c, a]])
+        linear = goals @ adjugate / double
+        return Face(
+            vertices=vertices,
+            inverse=adjugate / double,
+            corners=source - sum(source) / 3,
+            area=abs(double) / 2,
+            goal=homotopy2.exponential(ctx, linear, scalar(t)),
+        )
 
 
 def _require_edges(faces: list[Face], balance: list[Number]) -> None:
@@ -171,15 +180,17 @@ def _first(source: Array, target: Array, t: Array) -> Locus:
 
 def _ends(ctx: Context, source: Array, target: Array, t: Array) -> list[Locus]:
     """The first vertex on its line, and the last as the similarity of the two vertices takes it."""
-    (a, b), (c, d) = source[-1] - source[0], target[-1] - target[0]
-    length = a * a + b * b
-    for name, vector in (("source", (a, b)), ("target", (c, d))):
-        if not any(vector):
+    for name, shape in (("source", source), ("target", target)):
+        if not any(shape[-1] - shape[0]):
             raise InputError(name, "the first and the last vertex are in one place")
-    x, y = (a * c + b * d) / length, (a * d - b * c) / length
-    first = _first(source, target, t)
-    moved = homotopy2.exponential(ctx, array([[x, -y], [y, x]]), t)
-    return [first, Locus(len(source) - 1, first.place + moved @ array([a, b]))]
+    # As for faces: a turn by pi leaves y exactly 0.
+    with ctx.extraprec(2 * span(source, target)):
+        (a, b), (c, d) = source[-1] - source[0], target[-1] - target[0]
+        length = a * a + b * b
+        x, y = (a * c + b * d) / length, (a * d - b * c) / length
+        moved = homotopy2.exponential(ctx, array([[x, -y], [y, x]]), t)
+        first = _first(source, target, t)
+        return [first, Locus(len(source) - 1, first.place + moved @ array([a, b]))]
 
 
 def _interpolated(ctx: Context, count: int, faces: list[tuple[Face, Energy]], loci: list[Locus]) -> Array:

@@ -160,8 +160,8 @@ def test_regimes_build_the_same_bits_again(entry: Map) -> None:
 def test_regimes_are_in_the_domain_and_those_outside_are_not(entry: Map) -> None:
     ctx = mpmath.MPContext()
     ctx.prec = 200
-    # Fewer points of the maps that are dear, as much as they are: 90 of most, 9 of the interpolations of all orderings.
-    count = min(90, round(1450 / entry.cost))
+    # Fewer points of the maps that are dear, as much as they are: 40 of most, 4 of the interpolations of all orderings.
+    count = min(40, round(640 / entry.cost))
     for regime in entry.regimes:
         outside = regime.name.removesuffix("-2d").removesuffix("-3d") in REFUSED
         for point in points(entry, regime, count):

@@ -33,7 +33,9 @@ def uniform(seed: int) -> UniformDraw:
     return UniformDraw(iter(np.random.default_rng(seed).random, None))
 
 
-@pytest.mark.parametrize("kind", [stretches.GENERIC, stretches.ILL_CONDITIONED, stretches.LAST_BITS], ids=lambda kind: kind.name)
+@pytest.mark.parametrize(
+    "kind", [stretches.GENERIC, stretches.ILL_CONDITIONED, stretches.LAST_BITS], ids=lambda kind: kind.name
+)
 def test_half_turns_are_told_exactly_however_ill_conditioned(kind: stretches.Stretches) -> None:
     for seed, turn in enumerate(half_turns()):
         affine = np.eye(4)

@@ -208,6 +208,22 @@ def test_coherent_angles_do_not_matter_to_similarities() -> None:
         assert np.array_equal(interpolate(STRIP, target, STRIP_TRIANGLES, 0.5, angles="coherent", **options), principal)
 
 
+def test_half_turns_are_told_exactly() -> None:
+    """By pi exactly all triangles turn to the left; by however little less or more, each to its side."""
+    draw = np.random.default_rng(0)
+    shape = np.round(STRIP * 2**20 + draw.uniform(-(2**17), 2**17, STRIP.shape)) / 2**20
+    stretch = np.array([[-1.5, 0.25], [0.25, -1.0]])
+    for target in (-shape, -shape * 2.0 + [1.0, 3.0], shape @ stretch):
+        found = interpolate(shape, target, STRIP_TRIANGLES, 0.5, energy="frobenius")
+        root = homotopy2.exponential(np.linalg.lstsq(shape - shape[0], target - target[0])[0].T, 0.5)
+        assert np.allclose(found - found[0], (shape - shape[0]) @ (root * np.sign(root[1, 0])).T, rtol=0, atol=1e-13)
+    triangle, tiny = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]), 1e-200
+    for side in (1.0, -1.0):
+        target = np.array([[0.0, 0.0], [-1.0, side * tiny], [0.0, -1.0]])
+        found = interpolate(triangle, target, [[0, 1, 2]], 0.5, energy="frobenius")
+        assert np.allclose(found, turned(triangle, side * math.pi / 2), rtol=0, atol=1e-15)
+
+
 def test_turns_of_a_spiral_and_of_pieces() -> None:
     angles = np.linspace(0, 40, 2 * 20)
     triangles = np.array([[k, k + 1, k + 2] for k in range(40)])

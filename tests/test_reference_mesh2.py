@@ -178,6 +178,16 @@ def test_similarities_of_the_target_carry_over(ctx: Any) -> None:
         assert length(ctx, after - after[0] - (root @ (before - before[0]).T).T) <= ctx.ldexp(1, 60 - BITS)
 
 
+def test_half_turns_are_told_exactly(ctx: Any) -> None:
+    """By pi exactly all triangles turn to the left, whatever rounding leaves of the maps."""
+    source, _, triangles, t = mesh(ctx, 0.5)
+    source = source / 3
+    quarter = numbers(ctx, [[0.0, -1.0], [1.0, 0.0]])
+    for function in (mesh2.frobenius, mesh2.similarity, mesh2.points):
+        found = function(ctx, source, -source, triangles, t)
+        assert length(ctx, found - (quarter @ source.T).T) <= ctx.ldexp(1, 60 - BITS)
+
+
 def changed(values: Any, index: Any, value: float) -> Any:
     array = np.array(values)
     array[index] = value
