@@ -31,7 +31,7 @@ def _bear() -> Array:
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
     middle = (low + high) / 2
     middle[1] = low[1]
-    return (corners - middle) / (high - low)[0]
+    return np.asarray((corners - middle) / (high - low)[0])
 
 
 def bear(axes: Axes, pose: Array, colour: Array = FUR, opacity: float = 1.0) -> None:

@@ -7,7 +7,7 @@ along a curve: E^F pays for every turn that the curve asks for with shrinking, E
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -20,7 +20,7 @@ from affinecert.reports.pictures.drawing import BLUE, RED
 
 TIMES = np.linspace(0.0, 1.0, 6)
 SPACING = 0.02
-ENERGIES = {"frobenius": "E^F", "similarity": "E^R"}
+ENERGIES: Mapping[mesh2.Energy, str] = {"frobenius": "E^F", "similarity": "E^R"}
 
 
 def arrow() -> Planar:
@@ -40,7 +40,7 @@ def rolled(vertices: Array, turns: float = 1.5) -> Array:
     spine *= step
     along = [np.interp(vertices[:, 0], stations, column) for column in (*spine.T, heading)]
     normal = np.column_stack([-np.sin(along[2]), np.cos(along[2])])
-    return np.column_stack(along[:2]) + vertices[:, 1:] * normal
+    return np.asarray(np.column_stack(along[:2]) + vertices[:, 1:] * normal
 
 
 def _strip(panel: Axes, shape: Planar, frames: Array, colour: str) -> None:
