@@ -40,7 +40,7 @@ def rolled(vertices: Array, turns: float = 1.5) -> Array:
     spine *= step
     along = [np.interp(vertices[:, 0], stations, column) for column in (*spine.T, heading)]
     normal = np.column_stack([-np.sin(along[2]), np.cos(along[2])])
-    return np.asarray(np.column_stack(along[:2]) + vertices[:, 1:] * normal
+    return np.asarray(np.column_stack(along[:2]) + vertices[:, 1:] * normal)
 
 
 def _strip(panel: Axes, shape: Planar, frames: Array, colour: str) -> None:
