@@ -12,7 +12,7 @@ from affinecert.reference import morphs as reference
 
 # The truth of poses in space takes some five times as long as that of poses in the plane, for it has many more
 # derivatives; morphs of space alone are tried on a little more of it.
-IN_PLANE, IN_SPACE, IN_SPACE_ALONE = 0.4, 0.15, 0.25
+IN_PLANE, IN_SPACE, IN_SPACE_ALONE = 0.4, 0.1, 0.2
 
 EVERYWHERE = (
     pose_pairs.GENERIC,
