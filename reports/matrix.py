@@ -12,12 +12,13 @@ from rich.text import Text
 
 from affinecert.case import from_hex
 from affinecert.certificate import MorphLawRecord, plain
-from affinecert.properties.matrix.domains import DOMAINS
+from affinecert.properties.matrix.domains import DOMAINS, NO_HALF_TURN
 from affinecert.properties.matrix.laws import LAWS, STEADINESS
 from affinecert.reports.view import counted, figure
 
 STYLES: Mapping[str, str] = {
     "holds": "green",
+    "nearly": "green",
     "partly": "yellow",
     "fails": "red",
     "unclear": "magenta",
@@ -62,6 +63,11 @@ def rows(cells: Iterable[MorphLawRecord]) -> tuple[Row, ...]:
 def columns(cells: Iterable[MorphLawRecord]) -> tuple[str, ...]:
     """The names of the laws, in order."""
     return tuple(dict.fromkeys(cell.law for cell in cells))
+
+
+def tone(cell: MorphLawRecord) -> str:
+    """The verdict as it is coloured: a law that fails at turns by exactly pi alone nearly holds."""
+    return "nearly" if cell.verdict == "partly" and cell.holds_on[0] == NO_HALF_TURN.words else cell.verdict
 
 
 def word(cell: MorphLawRecord) -> str:
@@ -153,7 +159,7 @@ def _part(shown: Sequence[Row], places: Iterable[int], names: Sequence[str]) -> 
     for place in chosen:
         grid.add_column(HEADS.get(names[place], names[place]), no_wrap=True, min_width=WIDTH)
     for row in shown:
-        told = [Text(word(row.cells[place]), style=STYLES[row.cells[place].verdict]) for place in chosen]
+        told = [Text(word(row.cells[place]), style=STYLES[tone(row.cells[place])]) for place in chosen]
         grid.add_row(Text(row.morph), *told)
     return grid
 
@@ -161,6 +167,6 @@ def _part(shown: Sequence[Row], places: Iterable[int], names: Sequence[str]) -> 
 def show_cells(cells: Iterable[MorphLawRecord], console: Console) -> None:
     """Prints cells in full, each with its counterexample."""
     for cell in cells:
-        console.print(Text.assemble((cell.morph, STYLES[cell.verdict]), f"  {sentence(cell)}"))
+        console.print(Text.assemble((cell.morph, STYLES[tone(cell)]), f"  {sentence(cell)}"))
         for name, pose in named_poses(cell):
             console.print(Text(f"  {name} = {pose}"), soft_wrap=True)

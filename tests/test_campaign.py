@@ -11,6 +11,7 @@ from affinecert.case import to_hex
 from affinecert.catalogue import CATALOGUE
 from affinecert.certificate import CaseResult, Certificate
 from affinecert.errors import SubjectError, UnknownNameError
+from affinecert.law_matrix import law_matrix
 from affinecert.tier import PROFILES, select
 from tests.adapters import faulty
 
@@ -126,6 +127,22 @@ def test_maps_that_are_not_offered_are_absent_not_failures(tmp_path: Path) -> No
     certificate = certify(faulty.lists, maps="so3.*", profile="quick", store=tmp_path / "store.sqlite")
     assert set(certificate.absent) == {"so3.log", "so3.log_near"}
     assert all(law.verdict != "failed" for law in certificate.laws)
+
+
+def test_the_law_matrix_of_the_morphs_that_are_chosen_and_offered(tmp_path: Path) -> None:
+    store = tmp_path / "store.sqlite"
+    certificate = certify(faulty.straight, maps="morphs.*", profile="quick", store=store)
+    assert {cell.morph for cell in certificate.morph_laws} == {"linear"}
+    assert {"holds", "partly", "fails"} == {cell.verdict for cell in certificate.morph_laws}
+    assert not any(result.findings for result in certificate.results if result.regime == "equal-2d")
+    assert certify(faulty.lists, maps="so3.exp", profile="quick", store=store).morph_laws == ()
+
+
+@pytest.mark.parametrize(("subject", "complaint"), [("still", "no answer within 1 s"), ("exits", "the process died")])
+def test_a_row_of_the_law_matrix_that_comes_to_nothing_is_unclear(subject: str, complaint: str) -> None:
+    cells = law_matrix(f"tests.adapters.faulty:{subject}", morph="linear", jobs=2, limit=1)
+    assert {cell.verdict for cell in cells} == {"unclear"}
+    assert all(complaint in cell.note for cell in cells)
 
 
 def test_unknown_names_are_told_with_their_neighbours(tmp_path: Path) -> None:

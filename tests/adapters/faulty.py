@@ -1,4 +1,4 @@
-"""Subjects of one map, so3.exp, that answer badly."""
+"""Subjects of one map, so3.exp or a morph, that answer badly."""
 
 from __future__ import annotations
 
@@ -124,3 +124,21 @@ hangs_on_one = subject(_hang_on_one)
 dies = subject(_die)
 sound = subject(rodrigues)
 no_subject = {"so3.exp": rodrigues}
+
+
+def _still(start: Array, end: Array, t: Array) -> Array:
+    time.sleep(1000)
+    return start
+
+
+def _exit(start: Array, end: Array, t: Array) -> Array:
+    os._exit(1)
+
+
+def _straight(start: Array, end: Array, t: Array) -> Array:
+    return np.asarray((1 - t[:, None, None]) * start + t[:, None, None] * end)
+
+
+still = Subject("still", "0", {"morphs.linear": _still})
+exits = Subject("exits", "0", {"morphs.linear": _exit})
+straight = Subject("straight", "0", {"morphs.linear": _straight})
