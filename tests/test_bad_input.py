@@ -41,18 +41,16 @@ STEADY = plane([[1, 1], [0, 2]])
 SPIRAL = plane([[0, -1], [1, 1]])
 PATH = np.stack([PLANE, IDENTITY, plane([[1, 0], [1, 2]]), plane([[0, -1], [1, 0]])])
 AFFINES = np.stack([np.eye(4), SPACE, space(STRETCH)])
+SQUARE = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
+PUSHED = np.array([[0.0, 0], [2, 0.5], [3, 2], [0.5, 1]])
+HALVES = np.array([[0.0, 1, 2], [0, 2, 3]])
+MESH = (SQUARE, PUSHED, HALVES, HALF)
+FOLDED = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]])
 PARAMETERS = np.arange(12.0) / 4 - 1
 
 MORPHS = tuple(name for name, entry in CATALOGUE.items() if entry.family == "morphs")
 RIGID_MORPHS = ("morphs.sclerp", "morphs.dual_quaternion_linear")
 AFFINE_MORPHS = tuple(name for name in MORPHS if name not in (*RIGID_MORPHS, "morphs.sim"))
-
-SHAPE = (
-    np.array([[0.0, 0], [1, 0], [1, 1], [0, 1], [2, 3]]),
-    np.array([[0.0, 0], [0, 2], [-1, 2], [-1, 0], [-2, 5]]),
-    np.array([[0.0, 1, 2], [0, 2, 3], [1, 4, 2]]),
-)
-SURFACE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 2], [2, 3, 0]])
 
 GOOD: dict[str, tuple[Array, ...]] = {
     "so3.exp": (np.array([1.0, -2, 0.5]),),
@@ -118,11 +116,16 @@ GOOD: dict[str, tuple[Array, ...]] = {
     **dict.fromkeys(AFFINE_MORPHS, (PLANE, plane([[1, 1], [0, 2]]), HALF)),
     **dict.fromkeys(RIGID_MORPHS, (space(TURN), space(TURN.T), HALF)),
     "morphs.sim": (space(2 * TURN), space(TURN.T), HALF),
-    **{f"homotopy2.{name}": (np.array([[2.0, 1], [0, 3]]), HALF) for name in ("linear", "polar", "exponential")},
-    **{f"mesh2.{name}": (*SHAPE, HALF) for name in ("frobenius", "points", "similarity", "symmetric")},
-    "mesh2.balanced": (*SHAPE, HALF, np.array([0.0, 0.5, 1])),
-    "mesh2.constrained": (*SHAPE, HALF, np.array([3.0, 4]), np.array(2.0)),
-    "mesh3.blend": (SURFACE, np.stack([2 * SURFACE, SURFACE @ TURN.T]), SHAPE[2], np.array([0.25, 0.5])),
+    "homotopy2.linear": (STRETCH[:2, :2], HALF),
+    "homotopy2.polar": (STRETCH[:2, :2], HALF),
+    "homotopy2.exponential": (STRETCH[:2, :2], HALF),
+    "mesh2.frobenius": MESH,
+    "mesh2.points": MESH,
+    "mesh2.similarity": MESH,
+    "mesh2.balanced": (*MESH, np.array([0.5, 1.0])),
+    "mesh2.constrained": (*MESH, np.array([0.0, 2.0]), np.array(3.0)),
+    "mesh2.symmetric": MESH,
+    "mesh3.blend": (FOLDED, np.stack([FOLDED * 2, FOLDED @ TURN]), HALVES, np.array([0.5, 0.25])),
 }
 """Good inputs of every map, one item each."""
 
@@ -335,6 +338,24 @@ OUTSIDE: list[tuple[str, int, Array, str]] = [
     ("kaji_ochiai.blend", 0, np.stack([SPACE, last_row(SPACE), SPACE]), "last row"),
     ("kaji_ochiai.interpolate", 0, np.stack([SPACE, SPACE, singular(SPACE)]), "determinant"),
     ("kaji_ochiai.deform", 1, np.stack([SPACE, mirrored(SPACE), SPACE]), "determinant"),
+    ("homotopy2.polar", 0, np.diag([1.0, -2]), "determinant is not positive"),
+    ("homotopy2.exponential", 0, np.ones((2, 2)), "determinant is not positive"),
+    *(
+        (f"mesh2.{name}", number, bad, reason)
+        for name in ("frobenius", "points", "similarity", "balanced", "constrained", "symmetric")
+        for number, bad, reason in (
+            (0, SQUARE[[0, 1, 2, 2]], "a triangle without area"),
+            (1, SQUARE[::-1], "a triangle without area, or turned over"),
+            (2, HALVES + 1, "not triples of different vertices"),
+            (2, HALVES[[0, 0]], "not one piece with all vertices"),
+        )
+    ),
+    ("mesh2.balanced", 4, np.array([0.5, -0.5]), "not in [0, 1]"),
+    ("mesh2.constrained", 5, np.array(0.0), "not positive"),
+    ("mesh3.blend", 0, FOLDED[[0, 1, 2, 2]], "a triangle without area"),
+    ("mesh3.blend", 1, np.stack([FOLDED, 0 * FOLDED]), "a triangle without area"),
+    ("mesh3.blend", 2, HALVES / 2, "not triples of different vertices"),
+    ("mesh3.blend", 2, HALVES[[0, 0]], "not one piece with all vertices"),
     *((name, 0, singular(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, mirrored(SPACE), "determinant") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
     *((name, 0, last_row(SPACE), "last row") for name in ("affine_lie.decompose", "affine_lie.interpolate")),
