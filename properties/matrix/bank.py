@@ -1,4 +1,4 @@
-"""The pairs of poses that the law matrix is tried on, from simple to complex: the same ones on every machine.
+"""The pairs of poses that the law matrix is tried on, from simple to complex: the same ones in every run.
 
 Simple ones are all the pairs of a few small whole matrices; the others are drawn, some for each domain and for each
 premise of a law. Pairs astride a turn by pi, which serve the law of continuity alone, come last.
