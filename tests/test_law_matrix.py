@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -25,6 +26,7 @@ from affinecert.properties.matrix.laws import AFFINE, LAWS, LEFT, RIGHT
 from affinecert.properties.matrix.morphs import MORPHS, Morph
 from affinecert.properties.matrix.motion import exactly, subject
 from affinecert.properties.matrix.trial import trial
+from affinecert.reports.markdown import law_matrix as law_matrix_in_markdown
 from affinecert.reports.matrix import word
 from affinecert.shrink import total
 from affinecert.subject import Subject
@@ -369,6 +371,13 @@ def test_a_subject_is_tried_on_the_morphs_it_offers() -> None:
     assert {cell.morph for cell in cells if cell.verdict != "absent"} == {"linear"}
     found = {cell.law: replace(cell, residual=0.0) for cell in cells if cell.morph == "linear"}
     assert found == {law: replace(matrix()["linear", law], residual=0.0) for law in found}
+
+
+def test_the_readme_shows_the_matrix_of_fast() -> None:
+    table, _, legend = law_matrix_in_markdown(list(matrix().values())).strip().partition("\n\n")
+    readme = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+    assert table in readme
+    assert legend in readme
 
 
 def test_unknown_names_are_told() -> None:
