@@ -85,15 +85,15 @@ def _too_long(draw: Draw) -> tuple[Array, Array, float]:
     return first, second, beyond
 
 
-def _timed(regimes: Iterable[Regime], count: int, share: float) -> tuple[Regime, ...]:
-    """The regimes, with that many times in [0, 1] after their inputs."""
+def _timed(regimes: Iterable[Regime]) -> tuple[Regime, ...]:
+    """The regimes, one case of each, with one time in [0, 1] after their inputs."""
 
     def timed(regime: Regime) -> Regime:
         def build(draw: Draw) -> Point:
             point = regime.build(draw)
-            return Point((*point.inputs, np.array([draw.uniform(0.0, 1.0) for _ in range(count)])), point.distance)
+            return Point((*point.inputs, np.array([draw.uniform(0.0, 1.0)])), point.distance)
 
-        return replace(regime, build=build, share=share)
+        return replace(regime, build=build, share=0.05)
 
     return tuple(timed(regime) for regime in regimes)
 
@@ -177,9 +177,14 @@ MAPS = (
         outputs=((2,),),
         blocks=(Block("deviation", 0, WHOLE),),
         # The truth of one case takes some 400 interpolations a time.
-        regimes=(
-            *_timed((tetrahedra.GENERIC,), 2, 0.05),
-            *_timed((tetrahedra.RIGID, tetrahedra.NEAR_IDENTITY, tetrahedra.THIN, tetrahedra.OUTSIDE), 1, 0.05),
+        regimes=_timed(
+            (
+                tetrahedra.GENERIC,
+                tetrahedra.RIGID,
+                tetrahedra.NEAR_IDENTITY,
+                tetrahedra.THIN,
+                tetrahedra.OUTSIDE,
+            )
         ),
         reference=reference.path_deviation,
         accuracy=8.0,
