@@ -18,9 +18,15 @@ from affinecert.fast._kernel import Array
 from affinecert.fast._triangulation import Indices
 from affinecert.fast._wide import add, divide, subtract, times, widen
 
-# The size of a step, at the rate of the step before, foretells the next one: below this part of the solution it would
-# not change the rounded result, but for a part of 2^-7 of all roundings.
+# What is missing of a solution is about the next step: below this part of it, it would not change the rounded result
+# but for a part of 2^-7 of all roundings.
 ENOUGH = 2.0**-60
+# Where equations are so ill-conditioned that the pairs' own rounding keeps steps larger, these may end here: their
+# condition makes more of a rounding of the input.
+SETTLED = 2.0**-50
+# Exact factors ask for steps of their own length. Steps that should be so many times as long are along directions in
+# which nothing resists.
+FLAT = 2.0**40
 # Two to four steps are usual, twenty where equations are singular but for the last bits.
 MOST_STEPS = 60
 
@@ -130,18 +136,19 @@ def refined(start: Array, slope: Callable[[Array], Array], solve: Callable[[Arra
     """
     x, rest = start, slope(start)
     step = way = solve(rest[..., 0])
-    work, last = np.sum(rest[..., 0] * step), np.inf
+    work, settled = np.sum(rest[..., 0] * step), False
     for _ in range(MOST_STEPS):
         change = subtract(rest, slope(add(x, widen(way))))
         resistance = np.sum(way * change[..., 0])
-        if not resistance > 0.0:
-            return x if not rest.any() else None
+        if not work <= FLAT * resistance or work == 0.0:
+            return x if settled or not rest.any() else None
         length = work / resistance
         x, rest = add(x, times(widen(way), length)), subtract(rest, times(change, length))
-        size = np.max(np.abs(length * way))
-        if size * min(size / last, 1.0) <= ENOUGH * np.max(np.abs(x[..., 0])) and np.isfinite(last):
-            return x
         step = solve(rest[..., 0])
-        before, work, last = work, np.sum(rest[..., 0] * step), size
+        missing, size = np.max(np.abs(step)), np.max(np.abs(x[..., 0]))
+        if missing <= ENOUGH * size:
+            return x
+        settled = missing <= SETTLED * size
+        before, work = work, np.sum(rest[..., 0] * step)
         way = step + work / before * way
-    return None
+    return x if settled else None

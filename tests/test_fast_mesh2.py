@@ -193,6 +193,21 @@ def test_turns_beyond_pi() -> None:
         assert 0.83 * math.pi < turn % (2 * math.pi) < 0.93 * math.pi
 
 
+def test_loci_that_turn_the_other_way() -> None:
+    """Figures 2 and 4: E^F turns triangles over where loci ask for another angle; E^R and E^S keep the shape."""
+    angle, times = 2.5, np.linspace(0, 1, 9)
+    target = turned(STRIP, angle)
+    back = [(k, np.array([turned(STRIP[k], (angle - 2 * math.pi) * t) for t in times])) for k in (0, 20, 42, 62)]
+    for energy in ENERGIES:
+        held = [Locus(*each) for each in back]
+        shapes = interpolate(STRIP, target, STRIP_TRIANGLES, times, energy=energy, constraints=held)
+        if energy == "frobenius":
+            assert areas(shapes, STRIP_TRIANGLES).max(axis=1).min() < 0.05
+            assert areas(shapes, STRIP_TRIANGLES).min() < -0.5
+        else:
+            assert np.allclose(areas(shapes, STRIP_TRIANGLES), 0.5, rtol=0, atol=1e-12)
+
+
 def half_turns(times: Array, target: Array) -> Array:
     """The edge at the left end of the strip, turned in proportion to the time."""
     before, after = STRIP[21] - STRIP[0], target[21] - target[0]
