@@ -48,6 +48,7 @@ __all__ = [
 def linear(start: ArrayLike, end: ArrayLike, t: ArrayLike) -> Array:
     """The entries in straight lines: (1 - t) B + t C.
 
+    >>> import numpy as np
     >>> linear(np.eye(3), np.diag([3.0, 5.0, 1.0]), 0.5)
     array([[2., 0., 0.],
            [0., 3., 0.],

@@ -36,6 +36,7 @@ def exp(matrix: ArrayLike) -> Array:
     infinity where an entry is beyond the largest float64. Raises InputError for a wrong shape or dtype, numbers that
     are not finite, and matrices that are not symmetric.
 
+    >>> import numpy as np
     >>> exp(np.diag([0.0, 1.0, np.log(2.0)])).round(15)
     array([[1.        , 0.        , 0.        ],
            [0.        , 2.71828183, 0.        ],

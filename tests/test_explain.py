@@ -190,7 +190,7 @@ def test_the_worst_inputs_of_a_certificate_are_replayed(tmp_path: Path) -> None:
         ),
         ("a.jsonl", dump_line(case(inputs=())), "does not fit it: inputs: 0 arguments where 1 are due"),
         ("a.json", "{", "cannot read the certificate"),
-        ("a.json", "{}", "not a certificate of format 1"),
+        ("a.json", "{}", "not a certificate of format 2"),
     ],
 )
 def test_a_corrupt_file_is_told_by_name(tmp_path: Path, name: str, text: str, message: str) -> None:

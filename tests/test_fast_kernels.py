@@ -26,13 +26,10 @@ from affinecert.map import Map
 
 MAPS = tuple(CATALOGUE.values())
 SEVERAL = tuple(entry for entry in MAPS if len(entry.arguments) > 1)
-FREE = {"times", "segments", "dims"}
+FREE = {"times", "segments", "dims", "keys"}
 """Last sizes of arguments that may be any number."""
 
 BATCH = 6
-
-FREE = {"keys"}
-"""Last sizes of arguments that may be any number."""
 
 
 def named(entry: Map) -> str:
