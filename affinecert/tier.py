@@ -22,7 +22,7 @@ class Profile:
 
 PROFILES: Mapping[str, Profile] = {
     "quick": Profile(cases=8, examples=10),
-    "standard": Profile(cases=12, examples=12),
+    "standard": Profile(cases=10, examples=10),
     "thorough": Profile(cases=256, examples=250),
 }
 
