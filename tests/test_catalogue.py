@@ -155,7 +155,7 @@ def test_regimes_are_in_the_domain_and_those_outside_are_not(entry: Map) -> None
     ctx = mpmath.MPContext()
     ctx.prec = 200
     # Where a truth takes long, it is that of several things, each refused for the same reasons as one.
-    count = 9 if entry.cost >= 30 else 90
+    count = 9 if entry.cost >= 10 else 90
     for regime in entry.regimes:
         outside = regime.name.removesuffix("-2d").removesuffix("-3d") in REFUSED
         for point in points(entry, regime, count):
