@@ -25,7 +25,8 @@ SURE = 2.0**-60
 
 def indices(triangles: Array, count: int) -> Indices:
     """The triangles (faces, 3) as integers; InputError for what is no mesh of one piece with so many vertices."""
-    whole = triangles.astype(np.intp)
+    with np.errstate(invalid="ignore"):  # what is no index is told by the comparison
+        whole = triangles.astype(np.intp)
     first, second, third = whole.T
     distinct = (first != second) & (second != third) & (third != first)
     if not (np.array_equal(whole, triangles) and ((whole >= 0) & (whole < count)).all() and distinct.all()):

@@ -352,6 +352,8 @@ def changed(index: Any, value: Any) -> Array:
         ({"triangles": STRIP_TRIANGLES[0]}, "triangles: shape (3,) where (faces, 3) is due"),
         ({"triangles": STRIP_TRIANGLES - 1}, "triangles: not triples of different vertices"),
         ({"triangles": STRIP_TRIANGLES * 2}, "triangles: not triples of different vertices"),
+        ({"triangles": STRIP_TRIANGLES * 1e300}, "triangles: not triples of different vertices"),
+        ({"triangles": STRIP_TRIANGLES * math.nan}, "triangles: not triples of different vertices"),
         ({"triangles": STRIP_TRIANGLES + 0.5}, "triangles: not triples of different vertices"),
         ({"triangles": STRIP_TRIANGLES[:, [0, 1, 1]]}, "triangles: not triples of different vertices"),
         ({"triangles": np.delete(STRIP_TRIANGLES, [0, 40], axis=0)}, "triangles: not one piece with all vertices"),

@@ -113,6 +113,7 @@ def _homotopy(
     regimes: tuple[Regime, ...],
     function: Callable[..., Any],
     continuation: Callable[..., Any] | None,
+    cost: float,
 ) -> Map:
     return Map(
         name=f"homotopy2.{name}",
@@ -126,7 +127,7 @@ def _homotopy(
         reference=function,
         continuation=continuation,
         accuracy=8.0,
-        cost=1.0,
+        cost=cost,
     )
 
 
@@ -139,6 +140,7 @@ MAPS = (
         (*timed((GENERIC, NEAR_IDENTITY, HUGE_OR_TINY)), *ABOUT_TIME),
         reference.linear,
         None,
+        0.2,
     ),
     _homotopy(
         "polar",
@@ -148,6 +150,7 @@ MAPS = (
         (*timed(ROTATIONS), *ABOUT_TIME, COLLAPSE),
         reference.polar,
         reference.continue_polar,
+        1.0,
     ),
     _homotopy(
         "exponential",
@@ -157,5 +160,6 @@ MAPS = (
         (*timed(ROTATIONS), *ABOUT_TIME),
         reference.exponential,
         reference.continue_exponential,
+        2.0,
     ),
 )

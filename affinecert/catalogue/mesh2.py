@@ -198,6 +198,7 @@ def _map(
     definition: str,
     source: str,
     function: Callable[..., Any],
+    cost: float,
     regimes: tuple[Regime, ...] = REGIMES,
     domain: str = "",
     more: tuple[Argument, ...] = (),
@@ -219,7 +220,7 @@ def _map(
         regimes=regimes,
         reference=function,
         accuracy=8.0,
-        cost=20.0,
+        cost=cost,
         remark="Condition against perturbations of source and target as vectors of all coordinates, each relative to "
         "its length: a shape far from the origin counts with its distance. Where a triangle turns by pi exactly the "
         "map jumps, and the condition is beyond all bounds. Indices are exact.",
@@ -235,6 +236,7 @@ MAPS = (
         f"the v that minimise E^F = sum of area_i |A_i(t) - B_i|_F^2; {AREA}; the first vertex moves linearly",
         "kaji_2d, section 4 (Alexa, Cohen-Or, Levin 2000)",
         reference.frobenius,
+        12.0,
     ),
     _map(
         "points",
@@ -242,18 +244,21 @@ MAPS = (
         f"over the corners k of triangle i; {ENDS}",
         "kaji_2d, section 4 (Werman and Weinshall 1995)",
         reference.points,
+        20.0,
     ),
     _map(
         "similarity",
         f"the v that minimise E^R = sum of area_i min over s, delta of |s R_delta A_i(t) - B_i|_F^2; {AREA}; {ENDS}",
         "kaji_2d, section 4, equation 4",
         reference.similarity,
+        16.0,
     ),
     _map(
         "balanced",
         f"the v that minimise the sum of area_i (w_i E_i^F + (1 - w_i) E_i^R), w the balance; {ENDS}",
         "kaji_2d, section 4, improvements",
         reference.balanced,
+        18.0,
         _with(_balance),
         "; 0 <= w <= 1",
         (Argument("balance", ("faces",), (ENTRIES,), "1"),),
@@ -263,6 +268,7 @@ MAPS = (
         "the v that minimise E^F + weight |v_last - place|^2; the first vertex moves linearly",
         "kaji_2d, section 4, loci",
         reference.constrained,
+        12.0,
         _with(_locus),
         "; weight > 0",
         (Argument("place", (2,), (NORM,), "length"), Argument("weight", (), (ENTRIES,), "1")),
@@ -273,5 +279,6 @@ MAPS = (
         "moves linearly",
         "kaji_2d, section 4, improvements (Baxter, Barla, Anjyo 2008)",
         reference.symmetric,
+        18.0,
     ),
 )
