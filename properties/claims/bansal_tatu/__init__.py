@@ -1,0 +1,10 @@
+"""Bansal and Tatu, Affine Interpolation in a Lie Group Framework: its claims, in the order of the paper."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from affinecert.properties.claims.bansal_tatu import rigid_exponential
+from affinecert.properties.claims.claim import Claim
+
+CLAIMS: tuple[Claim[Any, Any], ...] = (*rigid_exponential.CLAIMS,)
