@@ -7,7 +7,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from affinecert.reference._matrices import Array, Number, array
+from affinecert.reference._matrices import Number, array
 
 mp: Any = mpmath.MPContext()
 """The context of all checks, apart from mpmath's global one."""
@@ -80,8 +80,8 @@ def equals(truth: Any) -> Any:
 def rounded(printed: str, truth: Any) -> Number:
     """How far a number as printed is from the truth beyond its last digit, relative to that digit; 0 if it is right.
 
-    >>> rounded("3.1", 3.125), rounded("3.3", 3.125)
-    (mpf('0.0'), mpf('1.25'))
+    >>> float(rounded("3.1", 3.125)), float(rounded("3.3", 3.125))
+    (0.0, 1.25)
     """
     last = mp.mpf(10) ** -len(printed.partition(".")[2])
     return max(abs(mp.mpf(printed) - truth) / last - mp.mpf(0.5), mp.zero)
