@@ -16,6 +16,8 @@ from affinecert.errors import AffinecertError, SubjectError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from affinecert.properties.claims.finding import Finding
+
 WIDTH = 100
 """Columns where there is no terminal to ask."""
 
@@ -225,6 +227,62 @@ def laws(*, subject: str, morph: str, law: str, jobs: int | None, form: str | No
         matrix.show_cells(cells, console)
     else:
         matrix.show(cells, console)
+
+
+@main.command()
+@click.argument("claim", metavar="[ID]", required=False)
+@click.option("--paper", metavar="NAME", help="Claims of one paper.")
+@click.option("--verdict", metavar="VERDICT", help="Claims that are confirmed, refuted, domain-bound or not-checkable.")
+@click.option("--jobs", type=click.IntRange(min=1), help="Processes.  [default: one a core]")
+@click.option("--json", "as_json", is_flag=True, help="As JSON.")
+@click.option("--out", type=FOLDER, help="Folder for the ledger as JSON, Markdown and HTML, and for the errata.")
+@click.pass_context
+def claims(
+    ctx: click.Context,
+    *,
+    claim: str | None,
+    paper: str | None,
+    verdict: str | None,
+    jobs: int | None,
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Check the claims of the papers; explain the one with that ID.
+
+    Every statement that can be checked is held against the definition, as printed: confirmed, refuted with a
+    counterexample and a correction, or holding on a domain. What is confirmed has perturbed copies, which the same
+    check must refute.
+    """
+    from affinecert import ledger, reports  # noqa: PLC0415
+    from affinecert.reports import claims as told  # noqa: PLC0415
+    from affinecert.reports.progress import shown  # noqa: PLC0415
+
+    chosen = (ledger.find(claim),) if claim else ledger.chosen(paper, verdict)
+    if out:
+        reports.prepare(out)
+    findings: list[Finding] = []
+    console = _console()
+
+    def entries() -> tuple[told.Entry, ...]:
+        return told.entries(chosen, findings)
+
+    try:
+        with shown(_console(stderr=True)) as update:
+            for found in ledger.run(chosen, jobs=1 if claim else jobs or os.cpu_count() or 1):
+                findings += found
+                update(len(findings) / len(chosen), found[-1].claim)
+    except KeyboardInterrupt:
+        told.show(entries(), console)
+        raise
+    if as_json:
+        click.echo(told.as_json(entries()))
+    elif claim:
+        told.show_entry(entries()[0], console)
+    else:
+        told.show(entries(), console)
+    for path in told.write(entries(), out) if out else ():
+        console.print(f"wrote {path}", style="dim", soft_wrap=True)
+    ctx.exit(1 if any(finding.complaints for finding in findings) else 0)
 
 
 @main.command()

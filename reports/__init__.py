@@ -40,13 +40,13 @@ def write(certificate: Certificate, folder: Path) -> tuple[Path, ...]:
     """
     prepare(folder)
     # The record first: whatever happens to what is rendered from it, nothing computed is lost.
-    record = _replace(folder / "certificate.json", to_json(certificate))
+    record = replace(folder / "certificate.json", to_json(certificate))
     from affinecert.reports.html import html  # noqa: PLC0415  (matplotlib is slow to import)
     from affinecert.reports.markdown import markdown  # noqa: PLC0415
 
     rendered = {"md": markdown, "html": html}
     return record, *(
-        _replace(folder / f"certificate.{suffix}", render(certificate)) for suffix, render in rendered.items()
+        replace(folder / f"certificate.{suffix}", render(certificate)) for suffix, render in rendered.items()
     )
 
 
@@ -65,7 +65,7 @@ def _line(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
-def _replace(path: Path, text: str) -> Path:
+def replace(path: Path, text: str) -> Path:
     """Writes beside the file and then takes its place."""
     beside = path.with_name(f".{path.name}.{os.getpid()}")
     with _told(path):

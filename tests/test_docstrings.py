@@ -10,13 +10,15 @@ import pytest
 
 import affinecert
 from affinecert.catalogue import CATALOGUE
+from affinecert.properties import claims
 
 FAMILIES = tuple(dict.fromkeys(entry.family for entry in CATALOGUE.values()))
 
 MODULES = [found.name for found in pkgutil.iter_modules(affinecert.__path__, "affinecert.") if not found.ispkg]
+CLAIMS = [found.name for found in pkgutil.walk_packages(claims.__path__, f"{claims.__name__}.") if not found.ispkg]
 
 
-@pytest.mark.parametrize("name", [*MODULES, *(f"affinecert.fast.{family}" for family in FAMILIES)])
+@pytest.mark.parametrize("name", [*MODULES, *CLAIMS, *(f"affinecert.fast.{family}" for family in FAMILIES)])
 def test_examples_are_true(name: str) -> None:
     assert doctest.testmod(importlib.import_module(name)).failed == 0
 

@@ -16,8 +16,8 @@ class Verdict(StrEnum):
 
     CONFIRMED = "confirmed"
     REFUTED = "refuted"
-    BOUND = "holds on a domain"
-    UNCHECKABLE = "not checkable"
+    BOUND = "domain-bound"
+    UNCHECKABLE = "not-checkable"
 
 
 class Fault(StrEnum):
@@ -78,9 +78,9 @@ class Claim(Generic[Form, Case]):
     - confirmed: it holds, and every perturbed copy among ``copies`` deviates somewhere.
     - refuted: it deviates; the first case where it does is the counterexample. ``fault`` says what it reads like. The
       ``correction`` holds. Where that has a check of its own, it refutes the copies.
-    - holds on a domain: it holds in the cases, inside of ``domain``, and deviates in every case ``outside``, which is
+    - domain-bound: it holds in the cases, inside of ``domain``, and deviates in every case ``outside``, which is
       just outside. It refutes the copies inside.
-    - not checkable, for the ``reason`` given; such a claim has nothing else.
+    - not-checkable, for the ``reason`` given; such a claim has nothing else.
 
     ``remark`` is what else an implementer should know. ``numbers`` gives what was measured, by name.
     """

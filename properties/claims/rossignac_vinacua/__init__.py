@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
+from types import ModuleType
 
-from affinecert.properties.claims.claim import Claim
-
-CLAIMS: tuple[Claim[Any, Any], ...] = ()
+CHAPTERS: tuple[ModuleType, ...] = ()
