@@ -42,7 +42,7 @@ class Weights(NamedTuple):
     bezier: Rows
 
 
-def _spans(d: Rows, x: Rows) -> list[Span]:
+def spans(d: Rows, x: Rows) -> list[Span]:
     """The Bezier points of a segment with de Boor points d_0, ..., d_M and data points x_0, ..., x_M, M >= 2.
 
     Figures 14 and 15: the polygon of the de Boor points has corners at the inner ones only, and each inner side of it
@@ -95,7 +95,7 @@ def system(lengths: Sequence[int]) -> System:
     count = sum(lengths)
     symbols = np.array(Fraction(1) * np.eye(2 * count, dtype=int).astype(object))
     pieces = zip(_segments(lengths, symbols[:count]), _segments(lengths, symbols[count:]), strict=True)
-    curves = [_spans(d, x) for d, x in pieces]
+    curves = [spans(d, x) for d, x in pieces]
     conditions = [_acceleration_at_start(curves[0][0])]
     for number, curve in enumerate(curves):
         if number:
@@ -117,7 +117,7 @@ def weights(lengths: tuple[int, ...]) -> Weights:
     conditions = system(full)
     de_boor = _solved(conditions.unknown, conditions.known @ data)
     pieces = zip(_segments(full, de_boor), _segments(full, data), strict=True)
-    return Weights(de_boor, np.array([span for d, x in pieces for span in _spans(d, x)]))
+    return Weights(de_boor, np.array([span for d, x in pieces for span in spans(d, x)]))
 
 
 def completed(lengths: Sequence[int]) -> tuple[int, ...]:

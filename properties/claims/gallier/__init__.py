@@ -4,4 +4,6 @@ from __future__ import annotations
 
 from types import ModuleType
 
-CHAPTERS: tuple[ModuleType, ...] = ()
+from affinecert.properties.claims.gallier import splicing_conditions, splicing_matrices, splicing_three_points
+
+CHAPTERS: tuple[ModuleType, ...] = (splicing_conditions, splicing_three_points, splicing_matrices)
