@@ -4,7 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
-from affinecert.properties.claims.bansal_tatu import rigid_exponential
+from affinecert.properties.claims.bansal_tatu import (
+    rigid_exponential,
+    rigid_logarithm,
+    shear_exponential,
+    shear_group,
+    shear_logarithm,
+)
 from affinecert.properties.claims.claim import Claim
 
-CLAIMS: tuple[Claim[Any, Any], ...] = (*rigid_exponential.CLAIMS,)
+CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *shear_group.CLAIMS,
+    *rigid_exponential.CLAIMS,
+    *rigid_logarithm.CLAIMS,
+    *shear_exponential.CLAIMS,
+    *shear_logarithm.CLAIMS,
+)
