@@ -5,16 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.bansal_tatu import (
+    component_uniqueness,
     rigid_exponential,
     rigid_logarithm,
     shear_exponential,
     shear_group,
     shear_logarithm,
+    tetrahedron_maps,
 )
 from affinecert.properties.claims.claim import Claim
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     *shear_group.CLAIMS,
+    *tetrahedron_maps.CLAIMS,
+    *component_uniqueness.CLAIMS,
     *rigid_exponential.CLAIMS,
     *rigid_logarithm.CLAIMS,
     *shear_exponential.CLAIMS,
