@@ -11,7 +11,9 @@ from affinecert.properties.claims.bansal_tatu import (
     shear_exponential,
     shear_group,
     shear_logarithm,
+    steadiness_proof,
     tetrahedron_maps,
+    volume_proofs,
 )
 from affinecert.properties.claims.claim import Claim
 
@@ -19,6 +21,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *shear_group.CLAIMS,
     *tetrahedron_maps.CLAIMS,
     *component_uniqueness.CLAIMS,
+    *steadiness_proof.CLAIMS,
+    *volume_proofs.CLAIMS,
     *rigid_exponential.CLAIMS,
     *rigid_logarithm.CLAIMS,
     *shear_exponential.CLAIMS,
