@@ -6,6 +6,8 @@ from typing import Any
 
 from affinecert.properties.claims.bansal_tatu import (
     component_uniqueness,
+    isometry_proof,
+    reversibility_proof,
     rigid_exponential,
     rigid_logarithm,
     shear_exponential,
@@ -23,6 +25,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *component_uniqueness.CLAIMS,
     *steadiness_proof.CLAIMS,
     *volume_proofs.CLAIMS,
+    *isometry_proof.CLAIMS,
+    *reversibility_proof.CLAIMS,
     *rigid_exponential.CLAIMS,
     *rigid_logarithm.CLAIMS,
     *shear_exponential.CLAIMS,
