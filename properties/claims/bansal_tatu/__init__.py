@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.bansal_tatu import (
+    appendix_figures,
+    canonical_tetrahedron_proof,
     component_uniqueness,
     isometry_proof,
     reversibility_proof,
     rigid_exponential,
     rigid_logarithm,
+    scale_maps,
     shear_exponential,
     shear_group,
     shear_logarithm,
@@ -27,8 +30,11 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *volume_proofs.CLAIMS,
     *isometry_proof.CLAIMS,
     *reversibility_proof.CLAIMS,
+    *canonical_tetrahedron_proof.CLAIMS,
     *rigid_exponential.CLAIMS,
     *rigid_logarithm.CLAIMS,
     *shear_exponential.CLAIMS,
     *shear_logarithm.CLAIMS,
+    *scale_maps.CLAIMS,
+    *appendix_figures.CLAIMS,
 )

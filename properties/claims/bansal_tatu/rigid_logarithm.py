@@ -10,9 +10,19 @@ from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, L
 from affinecert.properties.claims.draws import arrays, rotations
 from affinecert.properties.claims.precision import distance, equals, exactly, mp
 from affinecert.reference import so3
-from affinecert.reference._matrices import Array, Context, Number, cross_matrix, homogeneous, identity, norm, tangent
+from affinecert.reference._matrices import (
+    Array,
+    Context,
+    Number,
+    array,
+    cross_matrix,
+    homogeneous,
+    identity,
+    norm,
+    tangent,
+)
 
-AXIS = exactly([2, -1, 2]) / 3
+AXIS = exactly([2, 3, 6]) / 7
 
 
 def _turn(angle: Number) -> Array:
@@ -28,7 +38,8 @@ def _rotations() -> list[tuple[Array]]:
 
 def _excluded() -> list[tuple[Array]]:
     """No turn, and half turns."""
-    return [(identity(mp, 3),), (exactly([[1, 0, 0], [0, -1, 0], [0, 0, -1]]),), (_turn(mp.pi),)]
+    half_turns = [[1, 0, 0], [0, -1, 0], [0, 0, -1]], [[-1, 0, 0], [0, 0, 1], [0, 1, 0]]
+    return [(identity(mp, 3),), *((exactly(each),) for each in half_turns)]
 
 
 def _motions() -> list[tuple[Array, Array]]:
@@ -54,6 +65,18 @@ def _logarithm(factor: int = 2, sign: int = -1) -> Any:
 
 def _principal(m: Context, rotation: Array) -> Array:
     return cross_matrix(m, so3.log(m, rotation))
+
+
+def _axis(m: Context, rotation: Array) -> Array:
+    """The direction of R - R^T."""
+    skew = rotation - rotation.T
+    vector = array([skew[2, 1], skew[0, 2], skew[1, 0]])
+    axis: Array = vector / norm(m, vector)
+    return axis
+
+
+def _principal_axis(m: Context, rotation: Array) -> Array:
+    return _axis(m, _principal(m, rotation))
 
 
 def _principal_angle(m: Context, rotation: Array) -> Number:
@@ -136,6 +159,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
             _loss("1e-4 before π", _logarithm(), _principal, mp.pi - mp.mpf(10) ** -4, 7),
             _loss("1e-6 before π", _logarithm(), _principal, mp.pi - mp.mpf(10) ** -6, 12),
             _loss("1e-8 before π", _logarithm(), _principal, mp.pi - mp.mpf(10) ** -8, 15),
+            _loss("1e-8 before π, the axis alone", _axis, _principal_axis, mp.pi - mp.mpf(10) ** -8, 8),
         ),
         remark="The case of the identity, which A.2.1 makes, is missing here. The quaternion of R serves both ends.",
     ),
@@ -146,7 +170,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         printed="θ = arccos((Tr(R) - 1) / 2)",
         verdict=Verdict.CONFIRMED,
         form=_angle(),
-        cases=lambda: [*_rotations(), *_excluded()[:2]],
+        cases=lambda: [*_rotations(), *_excluded()],
         deviation=equals(_principal_angle),
         copies=(
             Copy("4 for 2", _angle(2)),
@@ -158,6 +182,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
             _loss("the angle 1e-9: 0", _angle(), _principal_angle, mp.mpf(10) ** -9, 16),
             _loss("1e-8 before π", _angle(), _principal_angle, mp.pi - mp.mpf(10) ** -8, 7),
         ),
+        remark="Where rounding makes the trace of a rotation next to the identity exceed 3, it is not a number.",
     ),
     Claim(
         id="bansal_tatu.A.2.2.V",
