@@ -6,6 +6,7 @@ from typing import Any
 
 from affinecert.properties.claims.bansal_tatu import (
     appendix_figures,
+    canonical_tetrahedron_components,
     canonical_tetrahedron_proof,
     component_uniqueness,
     isometry_proof,
@@ -17,6 +18,7 @@ from affinecert.properties.claims.bansal_tatu import (
     shear_group,
     shear_logarithm,
     steadiness_proof,
+    tetrahedron_alignment,
     tetrahedron_maps,
     volume_proofs,
 )
@@ -25,11 +27,13 @@ from affinecert.properties.claims.claim import Claim
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     *shear_group.CLAIMS,
     *tetrahedron_maps.CLAIMS,
+    *tetrahedron_alignment.CLAIMS,
     *component_uniqueness.CLAIMS,
     *steadiness_proof.CLAIMS,
     *volume_proofs.CLAIMS,
     *isometry_proof.CLAIMS,
     *reversibility_proof.CLAIMS,
+    *canonical_tetrahedron_components.CLAIMS,
     *canonical_tetrahedron_proof.CLAIMS,
     *rigid_exponential.CLAIMS,
     *rigid_logarithm.CLAIMS,
