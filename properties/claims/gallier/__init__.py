@@ -5,5 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
+from affinecert.properties.claims.gallier import (
+    exponential_proof,
+    invertibility_of_v,
+    rotation_logarithms,
+    similarities,
+    similarity_exponential,
+    surjectivity,
+)
 
-CLAIMS: tuple[Claim[Any, Any], ...] = ()
+CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *similarities.CLAIMS,
+    *similarity_exponential.CLAIMS,
+    *exponential_proof.CLAIMS,
+    *invertibility_of_v.CLAIMS,
+    *surjectivity.CLAIMS,
+    *rotation_logarithms.CLAIMS,
+)
