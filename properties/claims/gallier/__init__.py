@@ -6,11 +6,16 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim
 from affinecert.properties.claims.gallier import (
+    crossing_pi,
+    curve_length,
     exponential_proof,
     invertibility_of_v,
     rotation_logarithms,
     similarities,
     similarity_exponential,
+    spliced_motion,
+    strategies,
+    strategy_2,
     surjectivity,
 )
 
@@ -21,4 +26,9 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *invertibility_of_v.CLAIMS,
     *surjectivity.CLAIMS,
     *rotation_logarithms.CLAIMS,
+    *crossing_pi.CLAIMS,
+    *strategies.CLAIMS,
+    *strategy_2.CLAIMS,
+    *spliced_motion.CLAIMS,
+    *curve_length.CLAIMS,
 )
