@@ -250,7 +250,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         verdict=Verdict.BOUND,
         domain="among connected groups that contain SIM(3): the only larger one is that of all affine maps of positive "
         "determinant, whose exponential is not surjective. By dimension, 7, it is not the largest: the upper "
-        "triangular affine maps with positive diagonal have 9, and logarithms by ten short formulas (Bansal and Tatu)",
+        "triangular affine maps with positive diagonal have 9, and exactly one logarithm each, by divided differences",
         form=_basis("turns", "growth"),
         cases=_groups_around,
         outside=_triangular_group,
