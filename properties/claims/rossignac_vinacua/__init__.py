@@ -5,5 +5,18 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
+from affinecert.properties.claims.rossignac_vinacua import (
+    affinities,
+    steady_morph,
+    steady_motions,
+    steady_properties,
+    steady_trajectories,
+)
 
-CLAIMS: tuple[Claim[Any, Any], ...] = ()
+CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *steady_motions.CLAIMS,
+    *affinities.CLAIMS,
+    *steady_morph.CLAIMS,
+    *steady_properties.CLAIMS,
+    *steady_trajectories.CLAIMS,
+)
