@@ -7,6 +7,9 @@ from typing import Any
 from affinecert.properties.claims.claim import Claim
 from affinecert.properties.claims.rossignac_vinacua import (
     affinities,
+    comparison,
+    numeric_logarithms,
+    rigid_interpolation,
     steady_morph,
     steady_motions,
     steady_properties,
@@ -19,4 +22,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *steady_morph.CLAIMS,
     *steady_properties.CLAIMS,
     *steady_trajectories.CLAIMS,
+    *comparison.CLAIMS,
+    *rigid_interpolation.CLAIMS,
+    *numeric_logarithms.CLAIMS,
 )

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 
 from affinecert.errors import InputError
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import arrays, rotations
 from affinecert.properties.claims.precision import exactly, mp
 from affinecert.properties.matrix.laws import LAWS
 from affinecert.properties.matrix.motion import Motion
@@ -70,6 +71,16 @@ def general_pairs(dimension: int, count: int = 3) -> list[Pair]:
         if len(found) < count and _related(pair):
             found.append(pair)
     return found
+
+
+@cache
+def rigid_pairs() -> list[Pair]:
+    """Pairs of rigid poses of space, less than half a turn apart."""
+    turns = rotations("rigid pairs", 4)
+    shifts = arrays("rigid shifts", 4, (3,), -2, 2)
+    poses = [homogeneous(mp, turn, shift) for turn, shift in zip(turns, shifts, strict=True)]
+    quarter = affine([[0, -1, 0], [1, 0, 0], [0, 0, 1]], [1, 0, 1])
+    return [(unit(3), quarter), (unit(3), poses[3]), *combinations(poses[:3], 2)]
 
 
 _SIMPLE = {

@@ -24,7 +24,7 @@ from affinecert.properties.claims.rossignac_vinacua.motions import (
 )
 from affinecert.properties.matrix.algebra import inverse
 from affinecert.reference import morphs, sam
-from affinecert.reference._matrices import Array, Context, Number, homogeneous, identity, scalar, tangent
+from affinecert.reference._matrices import Array, Context, Number, homogeneous, identity, tangent
 
 
 def _has_root(linear: Array) -> bool:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import Any
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import arrays, plane_rotation, rotations
+from affinecert.properties.claims.draws import plane_rotation, rotations
 from affinecert.properties.claims.precision import exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.motions import (
     Morph,
@@ -16,6 +16,7 @@ from affinecert.properties.claims.rossignac_vinacua.motions import (
     at,
     general_pairs,
     law,
+    rigid_pairs,
     steady,
     unit,
 )
@@ -114,14 +115,6 @@ def _uneven(form: Morph, pair: Pair) -> Number:
     """How far angle and translation along the axis are from growing evenly."""
     (quarter, quarter_way), (half, half_way) = (_screw_of(form, pair, t) for t in (0.25, 0.5))
     return max(*(abs(each) for each in 2 * quarter - half), abs(2 * quarter_way - half_way))
-
-
-def _rigid_pairs() -> list[Pair]:
-    """Pairs of rigid poses."""
-    turns = rotations("rigid pairs", 4)
-    shifts = arrays("rigid shifts", 4, (3,), -2, 2)
-    poses = [homogeneous(mp, turn, shift) for turn, shift in zip(turns, shifts, strict=True)]
-    return [(unit(3), poses[3]), *combinations(poses[:3], 2)]
 
 
 def _longer_way(m: Context, start: Array, end: Array, t: Array) -> Array:
@@ -242,7 +235,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         statement="Between rigid poses it turns by the smallest angle there is.",
         verdict=Verdict.CONFIRMED,
         form=steady,
-        cases=_rigid_pairs,
+        cases=rigid_pairs,
         deviation=_roundabout,
         copies=(Copy("the screw that turns the other way round", _longer_way),),
     ),
@@ -252,7 +245,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         statement="Between rigid poses angle and translation along the axis grow evenly.",
         verdict=Verdict.CONFIRMED,
         form=steady,
-        cases=_rigid_pairs,
+        cases=rigid_pairs,
         deviation=_uneven,
         copies=(
             Copy("dual quaternion linear blending", morphs.dual_quaternion_linear),
