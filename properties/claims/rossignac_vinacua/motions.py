@@ -11,7 +11,7 @@ import numpy as np
 
 from affinecert.errors import InputError
 from affinecert.properties.claims.draws import arrays, rotations
-from affinecert.properties.claims.precision import exactly, mp
+from affinecert.properties.claims.precision import distance, exactly, mp
 from affinecert.properties.matrix.laws import LAWS
 from affinecert.properties.matrix.motion import Motion
 from affinecert.reference import morphs, sam
@@ -45,6 +45,11 @@ def law(name: str) -> Callable[[Morph, Pair], Number]:
 
 unsteadiness = law("steady")
 """How much the step M(t + 1/4) M(t)^-1 changes with t: the residual of equation 1."""
+
+
+def unlike_steady(morph: Morph, pair: Pair) -> Number:
+    """How far a morph between two poses is from the steady one."""
+    return max(distance(at(morph, pair, t), at(steady, pair, t)) for t in (1, 0.5, 0.25))
 
 
 def affine(linear: Any, translation: Any) -> Array:

@@ -1,4 +1,4 @@
-"""Sections 3.1 and 3.3.1: steady and unsteady motions between rigid poses."""
+"""Section 3.1: the steady motions between rigid poses."""
 
 from __future__ import annotations
 
@@ -9,23 +9,15 @@ import numpy as np
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Loss, Verdict
 from affinecert.properties.claims.draws import plane_rotation, rotations
-from affinecert.properties.claims.precision import HOLDS, distance, equals, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.motions import (
-    Morph,
-    Pair,
-    affine,
-    at,
-    rigid_pairs,
-    steady,
-    unit,
-    unsteadiness,
-)
+from affinecert.properties.claims.precision import HOLDS, equals, exactly, mp, size
+from affinecert.properties.claims.rossignac_vinacua.motions import affine, rigid_pairs, unlike_steady
 from affinecert.properties.matrix.algebra import inverse
 from affinecert.reference import morphs, sam, so3
 from affinecert.reference._matrices import Array, Context, Number, array, dot, homogeneous, identity, norm, scalar
 
 
-def _orthonormal(linear: Array) -> bool:
+def orthonormal(linear: Array) -> bool:
+    """Whether the columns are orthonormal."""
     return bool(size(linear.T @ linear - identity(mp, len(linear))) < HOLDS)
 
 
@@ -68,7 +60,7 @@ def _plane_turns() -> list[tuple[Array, Number]]:
     return [(homogeneous(mp, plane_rotation(angle), exactly([1, 2])), mp.mpf(0.25)) for angle in angles]
 
 
-def _screw_parts(m: Context, affinity: Array) -> tuple[Array, Array, Number, Number]:
+def screw_parts(m: Context, affinity: Array) -> tuple[Array, Array, Number, Number]:
     """Direction d and a point q of the axis, angle a and distance d of a screw."""
     vector = so3.log(m, affinity[:3, :3])
     angle = norm(m, vector)
@@ -85,7 +77,7 @@ def _point_of_axis(m: Context, affinity: Array, axis: Array, length: Number) -> 
 
 
 def _screw(m: Context, affinity: Array, t: Number, *, rate: int = 1, sense: int = 1) -> Array:
-    axis, centre, angle, length = _screw_parts(m, affinity)
+    axis, centre, angle, length = screw_parts(m, affinity)
     turn = so3.exp(m, axis * (sense * angle * t))
     return homogeneous(m, turn, centre - turn @ centre + axis * (length * t**rate))
 
@@ -95,16 +87,16 @@ def _screws() -> list[tuple[Array, Number]]:
 
 
 def _eigenvector_and_fixed_point(m: Context, affinity: Array) -> tuple[Array, Array]:
-    axis, *_ = _screw_parts(m, affinity)
+    axis, *_ = screw_parts(m, affinity)
     return axis, definitions.inverse(m, identity(m, 3) - affinity[:3, :3]) @ affinity[:3, 3]
 
 
 def _axis_and_its_point(m: Context, affinity: Array) -> tuple[Array, Array]:
-    axis, centre, _, _ = _screw_parts(m, affinity)
+    axis, centre, _, _ = screw_parts(m, affinity)
     return axis, centre
 
 
-def _beside_axis(form: Any, affinity: Array) -> Number:
+def beside_axis(form: Any, affinity: Array) -> Number:
     """How far L d is from d, and A(q) - q from a multiple of d."""
     axis, centre = form(mp, affinity)
     linear, translation = affinity[:3, :3], affinity[:3, 3]
@@ -116,93 +108,13 @@ def _rigid_motions() -> list[Array]:
     return [affine([[0, -1, 0], [1, 0, 0], [0, 0, 1]], [0, 0, 1]), *(each for each, _ in _screws())]
 
 
-def _unlike_steady(form: Morph, pair: Pair) -> Number:
-    return max(distance(at(form, pair, t), at(steady, pair, t)) for t in (0.25, 0.5))
-
-
-def _progress(form: Morph, pair: Pair, t: Number) -> tuple[Array, Number]:
-    """The rotation vector of M(t) B^-1, and the translation along the axis of C B^-1."""
-    axis = _screw_parts(mp, pair[1] @ inverse(pair[0]))[0]
-    motion = at(form, pair, t) @ inverse(pair[0])
-    return so3.log(mp, motion[:3, :3]), dot(mp, axis, motion[:3, 3])
-
-
-def _beside_screw(form: Morph, pair: Pair) -> Number:
-    """How far M(t) B^-1 is from leaving the axis of C B^-1 where it is."""
-    axis, centre, _, _ = _screw_parts(mp, pair[1] @ inverse(pair[0]))
-    motion = at(form, pair, 0.25) @ inverse(pair[0])
-    return _beside_axis(lambda *_: (axis, centre), motion)
-
-
-def _even(form: Morph, pair: Pair) -> Number:
-    """Whether angle or distance grow evenly, or both alike."""
-    (some, part), (whole, length) = _progress(form, pair, 0.25), _progress(form, pair, 1)
-    angle, way = norm(mp, some) / norm(mp, whole), part / length
-    return mp.mpf(any(abs(gap) < HOLDS for gap in (angle - 0.25, way - 0.25, angle - way)))
-
-
-def _discrepancies() -> dict[str, Any]:
-    """The largest difference of angles, and of distances to one along the axis, between DLB and the screw."""
-    found = {}
-    for degrees in (45, 90, 135, 179):
-        end = homogeneous(mp, so3.exp(mp, exactly([0, 0, 1]) * mp.radians(degrees)), exactly([0, 0, 1]))
-        steps = [_progress(morphs.dual_quaternion_linear, (unit(3), end), mp.mpf(k) / 32) for k in range(1, 32)]
-        angles = [abs(mp.degrees(norm(mp, turn)) - degrees * mp.mpf(k + 1) / 32) for k, (turn, _) in enumerate(steps)]
-        ways = [abs(way - mp.mpf(k + 1) / 32) for k, (_, way) in enumerate(steps)]
-        found[f"{degrees} degrees"] = (max(angles), max(ways))
-    return found
-
-
-def _iterative(m: Context, start: Array, end: Array, t: Array) -> Array:
-    """DIB: b <- b exp((1 - t) log b^-1 B + t log b^-1 C) from b = DLB on, until it does not change."""
-    blend = morphs.dual_quaternion_linear(m, start, end, t)
-    for _ in range(10):
-        back = inverse(blend)
-        step = sam.log(m, back @ start) * (1 - t[()]) + sam.log(m, back @ end) * t[()]
-        blend = blend @ sam.exponential(m, step)
-        if size(step) < HOLDS:
-            break
-    return blend
-
-
-def _is_steady(form: Morph, pair: Pair) -> Number:
-    return mp.mpf(unsteadiness(form, pair) < HOLDS)
-
-
-def _spline(frames: tuple[Array, ...]) -> Array:
-    """The point of a uniform quadratic B-spline in the middle of three frames."""
-    first, second, third = frames
-    point: Array = (first + 6 * second + third) / 8
-    return point
-
-
-def _nested(frames: tuple[Array, ...]) -> Array:
-    """The same by spherical linear interpolation in place of straight lines: de Boor's ratios 1/4, 3/4 and 1/2."""
-    first, second, third = frames
-
-    def between(a: Array, b: Array, t: float) -> Array:
-        turned: Array = so3.exp(mp, so3.log(mp, b @ a.T) * t) @ a
-        return turned
-
-    return between(between(first, second, 0.75), between(second, third, 0.25), 0.5)
-
-
-def _keeps_frames(form: Any, frames: tuple[Array, ...]) -> Number:
-    return mp.mpf(_orthonormal(form(frames)))
-
-
-def _frames() -> list[tuple[Array, ...]]:
-    turns = rotations("frames", 6)
-    return [(identity(mp, 3), turns[2], turns[3]), tuple(turns[:3]), tuple(turns[3:])]
-
-
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     Claim(
         id="rossignac_vinacua.3.1.orthonormal",
         place="section 3.1",
         statement="A is an isometry if and only if the columns of L are orthonormal.",
         verdict=Verdict.CONFIRMED,
-        form=_orthonormal,
+        form=orthonormal,
         cases=_linear_parts,
         deviation=_misjudged,
         copies=(Copy("columns of length 1", _unit_columns),),
@@ -248,7 +160,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         verdict=Verdict.CONFIRMED,
         form=morphs.sclerp,
         cases=rigid_pairs,
-        deviation=_unlike_steady,
+        deviation=unlike_steady,
         copies=(
             Copy("dual quaternion linear blending", morphs.dual_quaternion_linear),
             Copy("e^((1 - t) log B + t log C)", morphs.alexa_2002),
@@ -265,7 +177,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         fault=Fault.MATHEMATICAL,
         form=_eigenvector_and_fixed_point,
         cases=_rigid_motions,
-        deviation=_beside_axis,
+        deviation=beside_axis,
         correction=Correction(
             statement="A has no fixed point if it slides, else a whole axis of them: q solves "
             "(I - L + d dᵀ) q = t - (d · t) d.",
@@ -274,68 +186,10 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         copies=(
             Copy(
                 "the part of t across the axis for q",
-                lambda m, a: (_screw_parts(m, a)[0], a[:3, 3] - _screw_parts(m, a)[0] * _screw_parts(m, a)[3]),
+                lambda m, a: (screw_parts(m, a)[0], a[:3, 3] - screw_parts(m, a)[0] * screw_parts(m, a)[3]),
             ),
         ),
         remark="I - L is singular for every rotation of space. At half a turn the real eigenvalue is not unique "
         "either: -1 is another, double.",
-    ),
-    Claim(
-        id="rossignac_vinacua.3.3.1.dlb_axis",
-        place="section 3.3.1",
-        statement="Dual quaternion linear blending turns about the same fixed axis as ScLERP.",
-        verdict=Verdict.CONFIRMED,
-        form=morphs.dual_quaternion_linear,
-        cases=rigid_pairs,
-        deviation=_beside_screw,
-        copies=(
-            Copy("a rotation and the translation in a straight line", morphs.shoemake_duff),
-            Copy("e^((1 - t) log B + t log C)", morphs.alexa_2002),
-        ),
-    ),
-    Claim(
-        id="rossignac_vinacua.3.3.1.dlb_uneven",
-        place="section 3.3.1",
-        statement="It changes the angle and the distance along the axis non-linearly, and each differently; the "
-        "discrepancy is small.",
-        verdict=Verdict.CONFIRMED,
-        form=morphs.dual_quaternion_linear,
-        cases=rigid_pairs,
-        deviation=_even,
-        copies=(Copy("ScLERP for DLB", morphs.sclerp),),
-        numbers=_discrepancies,
-        remark="The numbers are the largest discrepancies of the angle, in degrees, and of a distance of 1, for turns "
-        "by so many degrees: small up to some 90 degrees.",
-    ),
-    Claim(
-        id="rossignac_vinacua.3.3.1.dib",
-        place="section 3.3.1",
-        statement="Dual quaternion iterative blending (DIB) is an unsteady interpolation.",
-        printed="two other unsteady solutions: DLB and DIB",
-        verdict=Verdict.REFUTED,
-        fault=Fault.SLIP,
-        form=_iterative,
-        cases=rigid_pairs,
-        deviation=_is_steady,
-        correction=Correction(
-            statement="Of two poses DIB is ScLERP, the steady morph: the constant-speed, shortest path solution, as "
-            "section 3.3.2 has it.",
-            form=_iterative,
-            deviation=_unlike_steady,
-        ),
-        copies=(
-            Copy("DLB, where it starts", morphs.dual_quaternion_linear),
-            Copy("e^((1 - t) log B + t log C), which it iterates", morphs.alexa_2002),
-        ),
-    ),
-    Claim(
-        id="rossignac_vinacua.3.3.1.frames",
-        place="section 3.3.1",
-        statement="B-splines of reference frames do not preserve orthogonality.",
-        verdict=Verdict.CONFIRMED,
-        form=_spline,
-        cases=_frames,
-        deviation=_keeps_frames,
-        copies=(Copy("de Boor's algorithm with great arcs for straight lines", _nested),),
     ),
 )

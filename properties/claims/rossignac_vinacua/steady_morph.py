@@ -21,6 +21,7 @@ from affinecert.properties.claims.rossignac_vinacua.motions import (
     law,
     steady,
     unit,
+    unlike_steady,
 )
 from affinecert.properties.matrix.algebra import inverse
 from affinecert.reference import morphs, sam
@@ -91,10 +92,6 @@ def _local(m: Context, start: Array, end: Array, t: Array) -> Array:
     """B (B^-1 C)^t."""
     found: Array = start @ sam.power(m, inverse(start) @ end, t)
     return found
-
-
-def _unlike_steady(form: Morph, pair: Pair) -> Number:
-    return max(distance(at(form, pair, t), at(steady, pair, t)) for t in (1, 0.5))
 
 
 def _simple_pairs() -> list[Pair]:
@@ -181,7 +178,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         fault=Fault.SLIP,
         form=_in_frame_of_start,
         cases=_simple_pairs,
-        deviation=_unlike_steady,
+        deviation=unlike_steady,
         correction=Correction(
             statement="A_t B applies A_t in the frame in which B and C are written. In the frame of B the same motion "
             "is (B^-1 C)^t: (C B^-1)^t B = B (B^-1 C)^t.",
