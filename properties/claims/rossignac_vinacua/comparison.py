@@ -21,6 +21,7 @@ from affinecert.properties.claims.rossignac_vinacua.motions import (
     unit,
     unsteadiness,
 )
+from affinecert.properties.matrix.algebra import inverse
 from affinecert.properties.matrix.domains import ALL
 from affinecert.properties.matrix.standard import PAIRS
 from affinecert.reference import morphs
@@ -47,9 +48,15 @@ def _any_steady(form: tuple[str, ...], pair: Pair) -> Number:
     return mp.mpf(any(unsteadiness(morphs.MORPHS[name], pair) < HOLDS for name in form))
 
 
-def _from_identity() -> list[Pair]:
-    """Pairs with B = I, and A neither an isometry nor a similarity."""
-    return [(unit(2), affine([[2, 0], [0, 1]], [0, 0])), (unit(2), affine([[1, -2], [1, 1]], [3, 1]))]
+def _exceptions() -> list[Pair]:
+    """Pairs with B = I, and with a stretch about the centre of the triangle (1, 1), (4, 1), (4, 4)."""
+    start, there = affine([[3, 3], [0, 3]], [1, 1]), affine([[1, 0], [0, 1]], [3, 2])
+    stretched = there @ affine([[2, 0], [0, 1]], [0, 0]) @ inverse(there) @ start
+    return [
+        (unit(2), affine([[2, 0], [0, 1]], [0, 0])),
+        (unit(2), affine([[1, -2], [1, 1]], [3, 1])),
+        (start, stretched),
+    ]
 
 
 def _by_similarities() -> list[Pair]:
@@ -95,11 +102,12 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         statement="Except for cases where A is an isometry or a similarity of the plane, previously proposed solutions "
         "are not steady.",
         verdict=Verdict.BOUND,
-        domain="B and C whose logarithms do not commute, and whose linear parts differ. From B = I, whatever A is, "
-        "e^((1 - t) log B + t log C) of Alexa (2002) is the steady morph",
+        domain="B and C in general position. Among the exceptions are B = I, from which, whatever A is, "
+        "e^((1 - t) log B + t log C) of Alexa (2002) is the steady morph; and R^t S^t is where A is a stretch about "
+        "the centre of the shape",
         form=tuple(_PREVIOUS),
         cases=lambda: general_pairs(2, 4),
-        outside=_from_identity,
+        outside=_exceptions,
         deviation=_any_steady,
         copies=(Copy("the steady morph among them", (*_PREVIOUS, "sam")),),
     ),

@@ -97,6 +97,12 @@ def _rigid_steps() -> list[Pair]:
     return [(start, move @ start) for start, move in zip(starts, moves, strict=True)]
 
 
+def _similar_steps() -> list[Pair]:
+    """Pairs B, C of which C B^-1 is a similarity, and B is not."""
+    scales = [affine([[k, 0, 0], [0, k, 0], [0, 0, k]], [0, 1, 0]) for k in (2, 0.5)]
+    return [(start, scale @ end) for scale, (start, end) in zip(scales, _rigid_steps()[1:], strict=True)]
+
+
 def _screw_of(form: Morph, pair: Pair, t: Number) -> tuple[Array, Number]:
     """The rotation vector of M(t) B^-1 and its translation along its axis."""
     motion = at(form, pair, t) @ inverse(pair[0])
@@ -106,9 +112,10 @@ def _screw_of(form: Morph, pair: Pair, t: Number) -> tuple[Array, Number]:
 
 
 def _roundabout(form: Morph, pair: Pair) -> Number:
-    """How much longer than the angle between the poses is the way by which a morph turns, or half of it uneven."""
-    angles = [norm(mp, _screw_of(form, pair, t)[0]) for t in (0.25, 0.5, 1)]
-    return max(abs(angles[0] - angles[2] / 4), abs(angles[1] - angles[2] / 2))
+    """By how much the angles of the steps of a morph, in all, exceed the angle between the poses."""
+    poses = [at(form, pair, mp.mpf(k) / 8) for k in range(9)]
+    steps = [norm(mp, so3.log(mp, (after @ inverse(before))[:3, :3])) for before, after in pairwise(poses)]
+    return abs(sum(steps) - norm(mp, _screw_of(form, pair, 1)[0]))
 
 
 def _uneven(form: Morph, pair: Pair) -> Number:
@@ -215,6 +222,19 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
             Copy("a spiral and the rest in a straight line", morphs.log_spiral),
         ),
         remark="R^t S^t and exp((1 - t) log B + t log C) preserve it too, as their determinants are powers.",
+    ),
+    Claim(
+        id="rossignac_vinacua.abstract.similarities",
+        place="abstract",
+        statement="A steady morph preserves similarities: if A is one, so is M(t) B^-1, whatever B.",
+        verdict=Verdict.CONFIRMED,
+        form=steady,
+        cases=_similar_steps,
+        deviation=law("similarity kept"),
+        copies=(
+            Copy("exp((1 - t) log B + t log C)", morphs.alexa_2002),
+            Copy("(1 - t) B + t C", morphs.linear),
+        ),
     ),
     Claim(
         id="rossignac_vinacua.2.3.5.rigid",
