@@ -4,4 +4,36 @@ from __future__ import annotations
 
 from types import ModuleType
 
-CHAPTERS: tuple[ModuleType, ...] = ()
+from affinecert.properties.claims.rossignac_vinacua import (
+    affinities,
+    comparison,
+    exponential_interpolation,
+    numeric_logarithms,
+    overview,
+    polar_factors,
+    polar_morphs,
+    rigid_blending,
+    rigid_interpolation,
+    rigidity,
+    steady_morph,
+    steady_motions,
+    steady_properties,
+    steady_trajectories,
+)
+
+CHAPTERS: tuple[ModuleType, ...] = (
+    steady_motions,
+    affinities,
+    steady_morph,
+    steady_properties,
+    steady_trajectories,
+    comparison,
+    rigid_interpolation,
+    numeric_logarithms,
+    rigid_blending,
+    polar_factors,
+    polar_morphs,
+    exponential_interpolation,
+    rigidity,
+    overview,
+)
