@@ -32,6 +32,9 @@ WORDS: Mapping[str, str] = {
 }
 """What the verdicts are called."""
 
+SHORT: Mapping[str, str] = {**WORDS, Verdict.BOUND: "domain", Verdict.UNCHECKABLE: "unchecked", "failed": "failed"}
+"""The same where there is little room."""
+
 MEANINGS: Mapping[str, str] = {
     Verdict.CONFIRMED: "true in every case tried; every perturbed copy of it is refuted by the same check",
     Verdict.REFUTED: "false as printed; a counterexample is given, and what is true in its place",
@@ -251,7 +254,7 @@ def _rows(group: Iterable[Entry]) -> Table:
     grid = table("verdict", "claim", "statement")
     grid.columns[0].no_wrap = True
     for entry in group:
-        grid.add_row(Text(WORDS[entry.verdict], style=STYLES[entry.verdict]), entry.claim.id, entry.claim.statement)
+        grid.add_row(Text(SHORT[entry.verdict], style=STYLES[entry.verdict]), entry.claim.id, entry.claim.statement)
     return grid
 
 

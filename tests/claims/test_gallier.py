@@ -4,11 +4,11 @@ from typing import Any
 
 import pytest
 
-from affinecert.properties.claims import gallier
+from affinecert.properties.claims import PAPERS
 from affinecert.properties.claims.claim import Claim
 from tests.claims.entries import stands
 
 
-@pytest.mark.parametrize("claim", gallier.CLAIMS, ids=lambda claim: claim.id)
+@pytest.mark.parametrize("claim", PAPERS["gallier"].claims, ids=lambda claim: claim.id)
 def test_the_check_of(claim: Claim[Any, Any]) -> None:
     stands(claim)

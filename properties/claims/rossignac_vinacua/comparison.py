@@ -9,7 +9,7 @@ import numpy as np
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.precision import HOLDS, distance, exactly, mp
-from affinecert.properties.claims.rossignac_vinacua.motions import (
+from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     QUARTER,
     Morph,
     Pair,

@@ -10,7 +10,7 @@ from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Loss, Verdict
 from affinecert.properties.claims.draws import arrays
 from affinecert.properties.claims.precision import distance, equals, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.motions import general_pairs
+from affinecert.properties.claims.rossignac_vinacua.pose_pairs import general_pairs
 from affinecert.properties.matrix.algebra import inverse
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Context, Number, array, homogeneous, identity, scalar

@@ -10,7 +10,7 @@ from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.draws import numbers, plane_rotation, rotations
 from affinecert.properties.claims.precision import HOLDS, difference, distance, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.motions import (
+from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     Morph,
     Pair,
     affine,

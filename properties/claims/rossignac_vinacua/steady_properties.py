@@ -9,7 +9,7 @@ from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.draws import plane_rotation, rotations
 from affinecert.properties.claims.precision import exactly, mp
-from affinecert.properties.claims.rossignac_vinacua.motions import (
+from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     Morph,
     Pair,
     affine,
