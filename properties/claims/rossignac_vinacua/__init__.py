@@ -5,5 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
+from affinecert.properties.claims.rossignac_vinacua import existence, existence_region, perturbation, reduction
 
-CLAIMS: tuple[Claim[Any, Any], ...] = ()
+CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *existence.CLAIMS,
+    *reduction.CLAIMS,
+    *existence_region.CLAIMS,
+    *perturbation.CLAIMS,
+)
