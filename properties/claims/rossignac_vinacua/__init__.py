@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
-from affinecert.properties.claims.rossignac_vinacua import existence, existence_region, perturbation, reduction
+from affinecert.properties.claims.rossignac_vinacua import biarc, existence, existence_region, perturbation, reduction
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     *existence.CLAIMS,
     *reduction.CLAIMS,
     *existence_region.CLAIMS,
     *perturbation.CLAIMS,
+    *biarc.CLAIMS,
 )
