@@ -5,12 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
-from affinecert.properties.claims.rossignac_vinacua import biarc, existence, existence_region, perturbation, reduction
+from affinecert.properties.claims.rossignac_vinacua import (
+    biarc,
+    existence,
+    existence_region,
+    perturbation,
+    reduction,
+    without_steady_morph,
+)
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     *existence.CLAIMS,
     *reduction.CLAIMS,
     *existence_region.CLAIMS,
     *perturbation.CLAIMS,
+    *without_steady_morph.CLAIMS,
     *biarc.CLAIMS,
 )

@@ -61,12 +61,17 @@ def _no_parabola(curve: Any, poses: Poses) -> Number:
 
 def _passes(poses: Poses, _: None) -> int:
     """Whether the Bezier motion comes within 1/100 of its middle pose, of all 65 poses that are tried."""
-    return int(any(size(bezier(*poses, mp.mpf(k) / 64) - poses[1]) < mp.mpf(1) / 100 for k in range(65)))
+    return int(any(size(_bezier(poses, mp.mpf(k) / 64) - poses[1]) < mp.mpf(1) / 100 for k in range(65)))
 
 
 def _jump_within(curve: Any, poses: Poses) -> Number:
     """The largest jump of the velocity at three times within."""
     return max(jump(lambda s: curve(*poses, s), mp.mpf(k) / 4) for k in (1, 2, 3))
+
+
+def _bezier(poses: Poses, t: Number) -> Array:
+    first, middle, last = poses
+    return bezier(first, middle, last, t)
 
 
 def _undefined(motion: Any, poses: Poses) -> int:
@@ -225,7 +230,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         verdict=Verdict.BOUND,
         domain="(F_C F_B⁻¹)^t (F_B F_A⁻¹)^(1 - t) has a real logarithm for all t in [0, 1]; turned by 90 degrees and "
         "stretched by 2 and 1/2 they have, by 4 and 1/4 not",
-        form=lambda poses, t: bezier(*poses, t),
+        form=_bezier,
         cases=_ordinary,
         outside=_stretched(4, 8),
         deviation=_undefined,
