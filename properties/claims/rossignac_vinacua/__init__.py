@@ -9,8 +9,12 @@ from affinecert.properties.claims.rossignac_vinacua import (
     biarc,
     existence,
     existence_region,
+    kept_properties,
     perturbation,
     reduction,
+    uniqueness,
+    velocity,
+    volume,
     without_steady_morph,
 )
 
@@ -21,4 +25,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *perturbation.CLAIMS,
     *without_steady_morph.CLAIMS,
     *biarc.CLAIMS,
+    *uniqueness.CLAIMS,
+    *velocity.CLAIMS,
+    *kept_properties.CLAIMS,
+    *volume.CLAIMS,
 )
