@@ -1,4 +1,4 @@
-"""Section 5.3: quadratic Bezier motions, and the bi-arc of two of them that goes through the pose in the middle."""
+"""Section 5.3: the bi-arc of two Bezier motions that goes through the pose in the middle."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from typing import Any
 
 from affinecert.errors import InputError
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
-from affinecert.properties.claims.precision import distance, exactly, mp, size
+from affinecert.properties.claims.precision import distance, mp, size
 from affinecert.properties.claims.rossignac_vinacua.listings import (
+    EIGHTHS,
     Poses,
     bezier,
     biarc,
@@ -18,85 +19,13 @@ from affinecert.properties.claims.rossignac_vinacua.listings import (
     ordinary_poses,
     regular_poses,
     steady,
-    stretched_turns,
+    undefined,
+    with_good_legs,
+    with_stretched_legs,
 )
 from affinecert.reference._matrices import Array, Number
 
 HALF = mp.mpf(1) / 2
-
-TIMES = tuple(mp.mpf(k) / 8 for k in range(9))
-
-
-def _swapped_bezier(start: Array, middle: Array, end: Array, t: Number) -> Array:
-    """The two legs in the wrong order."""
-    return steady(steady(middle, t, end), t, steady(start, t, middle))
-
-
-def _hurried_bezier(start: Array, middle: Array, end: Array, t: Number) -> Array:
-    """The last interpolation at the parameter t^2."""
-    return steady(steady(start, t, middle), t**2, steady(middle, t, end))
-
-
-def _one_leg_bezier(start: Array, middle: Array, end: Array, t: Number) -> Array:
-    """The legs at t and 1 - t where both are at t, from the middle on."""
-    return steady(steady(start, t, middle), t, steady(middle, t if t <= HALF else 1 - t, end))
-
-
-def _wrong_ends(curve: Any, poses: Poses) -> Number:
-    return max(distance(curve(*poses, mp.zero), poses[0]), distance(curve(*poses, mp.one), poses[2]))
-
-
-def _translations() -> list[Poses]:
-    """Three translations of the plane."""
-    moved = [exactly([[1, 0, x], [0, 1, y], [0, 0, 1]]) for x, y in ((1, 2), (3, -1), (4, 4), (0, 0))]
-    return [(moved[0], moved[1], moved[2]), (moved[3], moved[2], moved[1])]
-
-
-def _no_parabola(curve: Any, poses: Poses) -> Number:
-    """How far a curve of translations is from their quadratic Bezier curve."""
-    first, middle, last = poses
-    curves = ((1 - t) ** 2 * first + 2 * t * (1 - t) * middle + t**2 * last - curve(*poses, t) for t in TIMES)
-    return max(map(size, curves))
-
-
-def _passes(poses: Poses, _: None) -> int:
-    """Whether the Bezier motion comes within 1/100 of its middle pose, of all 65 poses that are tried."""
-    return int(any(size(_bezier(poses, mp.mpf(k) / 64) - poses[1]) < mp.mpf(1) / 100 for k in range(65)))
-
-
-def _jump_within(curve: Any, poses: Poses) -> Number:
-    """The largest jump of the velocity at three times within."""
-    return max(jump(lambda s: curve(*poses, s), mp.mpf(k) / 4) for k in (1, 2, 3))
-
-
-def _bezier(poses: Poses, t: Number) -> Array:
-    first, middle, last = poses
-    return bezier(first, middle, last, t)
-
-
-def _undefined(motion: Any, poses: Poses) -> int:
-    """Whether a motion is missing at one of the times."""
-    try:
-        for t in TIMES:
-            motion(poses, t)
-    except InputError:
-        return 1
-    return 0
-
-
-def _legs_are_good(poses: Poses) -> Poses:
-    """The poses, if the two steady morphs exist between them, and InputError if not."""
-    steady(poses[0], HALF, poses[1])
-    steady(poses[1], HALF, poses[2])
-    return poses
-
-
-def _ordinary() -> list[Poses]:
-    return [*map(_legs_are_good, ordinary_poses()), _legs_are_good(stretched_turns(2))]
-
-
-def _stretched(*factors: int) -> Any:
-    return lambda: [_legs_are_good(stretched_turns(k)) for k in factors]
 
 
 def _control(near: str = "0.75", share: str = "0.25") -> Any:
@@ -126,11 +55,6 @@ def _missing_control(control: Any, poses: Poses) -> int:
     except InputError:
         return 1
     return 0
-
-
-def _misses(control: Any, poses: Poses) -> Number:
-    at = [(mp.zero, 0), (HALF, 1), (mp.one, 2)]
-    return max(distance(biarc(poses, t, control), poses[k]) for t, k in at)
 
 
 def _misses_a_pose(motion: Any, poses: Poses) -> Number:
@@ -167,7 +91,7 @@ def _steady_biarc(poses: Poses, _: None) -> int:
 def _not_reversible(motion: Any, poses: Poses) -> Number:
     first, middle, last = poses
     try:
-        return max(distance(motion(poses, t), motion((last, middle, first), 1 - t)) for t in TIMES)
+        return max(distance(motion(poses, t), motion((last, middle, first), 1 - t)) for t in EIGHTHS)
     except InputError:  # no such curve
         return mp.inf
 
@@ -182,62 +106,6 @@ def _one_sided_biarc(poses: Poses, t: Number) -> Array:
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     Claim(
-        id="rossignac_vinacua.5.3.bezier_ends",
-        place="section 5.3, the listing bezier",
-        statement="The quadratic Bezier motion leads from F_A to F_C.",
-        printed="SAM(SAM(F_A, t, F_B), t, SAM(F_B, t, F_C))",
-        verdict=Verdict.CONFIRMED,
-        form=bezier,
-        cases=ordinary_poses,
-        deviation=_wrong_ends,
-        copies=(Copy("the two legs in the other order", _swapped_bezier),),
-    ),
-    Claim(
-        id="rossignac_vinacua.5.3.bezier_of_translations",
-        place="section 5.3",
-        statement="The Bezier motion is a parabolic curve in the space of affinities: of translations it is the "
-        "quadratic Bezier curve.",
-        verdict=Verdict.CONFIRMED,
-        form=bezier,
-        cases=_translations,
-        deviation=_no_parabola,
-        copies=(Copy("t² for the last t", _hurried_bezier),),
-    ),
-    Claim(
-        id="rossignac_vinacua.5.3.bezier_misses",
-        place="section 5.3 and figure 7 (c)",
-        statement="The quadratic Bezier motion does not go through F_B.",
-        verdict=Verdict.CONFIRMED,
-        form=ordinary_poses()[0],
-        cases=lambda: [None],
-        deviation=_passes,
-        copies=(Copy("F_B = F_A", (ordinary_poses()[0][0], ordinary_poses()[0][0], ordinary_poses()[0][1])),),
-    ),
-    Claim(
-        id="rossignac_vinacua.5.3.bezier_smooth",
-        place="section 5.3 and figure 7 (c)",
-        statement="The quadratic Bezier motion has no discontinuity of velocity.",
-        verdict=Verdict.CONFIRMED,
-        form=bezier,
-        cases=ordinary_poses,
-        deviation=_jump_within,
-        copies=(Copy("the second leg runs back from the middle on", _one_leg_bezier),),
-    ),
-    Claim(
-        id="rossignac_vinacua.5.3.bezier_exists",
-        place="section 5.3",
-        statement="The Bezier motion is there whenever the steady morphs from F_A to F_B and from F_B to F_C are.",
-        verdict=Verdict.BOUND,
-        domain="(F_C F_B⁻¹)^t (F_B F_A⁻¹)^(1 - t) has a real logarithm for all t in [0, 1]; turned by 90 degrees and "
-        "stretched by 2 and 1/2 they have, by 4 and 1/4 not",
-        form=_bezier,
-        cases=_ordinary,
-        outside=_stretched(4, 8),
-        deviation=_undefined,
-        copies=(Copy("the chord from F_A to F_C for the second leg", lambda p, t: bezier(p[0], p[2], p[2], t)),),
-        remark="F_A = 1, F_B = [[0, -4], [1/4, 0]], F_C = diag(-1/16, -16): nothing between the legs at t = 1/2.",
-    ),
-    Claim(
         id="rossignac_vinacua.5.3.left_control",
         place="section 5.3, the listing leftControl",
         statement="The control poses F_L and F_R require steady morphs between F_A and F_B and between F_B and F_C "
@@ -245,7 +113,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         printed="SAM(SAM(F_A, 0.75, F_B), F_C, .25, F_B)",
         verdict=Verdict.CONFIRMED,
         form=left_control,
-        cases=lambda: [*_ordinary(), *_stretched(4, 8)()],
+        cases=lambda: [*with_good_legs(), *with_stretched_legs(4, 8)()],
         deviation=_missing_control,
         copies=(Copy("a control pose by the morph from F_A to F_C", _chord_control),),
     ),
@@ -257,9 +125,9 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         domain="(F_B F_A⁻¹)^¼ (F_C F_B⁻¹)^¼ and the products on the way have real logarithms: so it is with turns by "
         "90 degrees, one stretched by 2 and one by 1/2, and not if by 8 and 1/8",
         form=biarc,
-        cases=_ordinary,
-        outside=_stretched(8, 16),
-        deviation=_undefined,
+        cases=with_good_legs,
+        outside=with_stretched_legs(8, 16),
+        deviation=undefined,
         copies=(Copy("control poses by the morph from F_A to F_C", lambda p, t: biarc(p, t, _chord_control)),),
         remark="The arcs themselves take steady morphs from F_A to F_L, from F_L to F_B, and between these.",
     ),
@@ -280,7 +148,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         statement="The bi-arc is C1 at F_B.",
         verdict=Verdict.CONFIRMED,
         form=left_control,
-        cases=lambda: [*_ordinary(), *_stretched(4)()],
+        cases=lambda: [*with_good_legs(), *with_stretched_legs(4)()],
         deviation=_jump_of_biarc,
         copies=(
             Copy("0.70 for 0.75", _control(near="0.70")),
@@ -298,8 +166,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         domain="the eigenvalues of F_B F_L⁻¹ = (F_B F_A⁻¹)^¼ (F_C F_B⁻¹)^¼ have positive real parts: it turns by less "
         "than 90 degrees. Beyond that the morph from F_L to F_R turns the other way",
         form=left_control,
-        cases=_ordinary,
-        outside=_stretched(4),
+        cases=with_good_legs,
+        outside=with_stretched_legs(4),
         deviation=_not_half_way,
         copies=(Copy("0.70 for 0.75", _control(near="0.70")),),
         remark="What makes the velocity continuous is F_R F_B⁻¹ = F_B F_L⁻¹, which always holds.",

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import Any
 
-from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Loss, Verdict
+from affinecert.properties.claims.claim import Claim, Copy, Loss, Verdict
 from affinecert.properties.claims.precision import exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.reduction import exists
 from affinecert.reference._matrices import Array, Context, Number, array
@@ -92,10 +92,16 @@ def _not_convex(border: Any, pair: tuple[Number, Number]) -> Number:
     return max((border(one) + border(other)) / 2 - border((one + other) / 2), mp.zero)
 
 
-def _pairs_of_maps() -> list[tuple[Array, Array]]:
-    plane = exactly([[-1, 2], [-1, -1]]), exactly([[-1, -1], [2, -1]])
-    space = [exactly([[*row[:2], 0] for row in each] + [[0, 0, 1]]) for each in plane]
-    return [plane, (space[0], space[1])]
+def _pairs_with_positive_products() -> list[tuple[Array, Array]]:
+    plane = [[[1, 0], [0, 2]], [[3, 0], [0, 1]], [[0.25, -4], [4, 1]], [[1, 4], [-4, 0.25]], [[5, -2], [0, 0.5]]]
+    space = [[[1, 3, 0], [-3, 1, 1], [0, -1, 2]], [[1, -3, 2], [3, 4, 1], [-2, 0, 1]]]
+    return [pair for some in (plane, space) for pair in pairwise(map(exactly, some))]
+
+
+def _pairs_that_turn() -> list[tuple[Array, Array]]:
+    left, right = [[-1, -1], [2, -1]], [[-1, 2], [-1, -1]]
+    in_space = [exactly([[*row, 0] for row in each] + [[0, 0, 1]]) for each in (left, right)]
+    return [(exactly(left), exactly(right)), (in_space[0], in_space[1])]
 
 
 def _bad_between(share: Number, pair: tuple[Array, Array]) -> int:
@@ -219,23 +225,19 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     ),
     Claim(
         id="rossignac_vinacua.5.2.convex_set",
-        place="abstract, and section 5.2 on figure 6",
-        statement="The good affinities, with all that lies halfway between two of them, are a convex set.",
-        verdict=Verdict.REFUTED,
-        fault=Fault.MATHEMATICAL,
+        place="section 5.2, and abstract",
+        statement="The good affinities are a convex set: what is halfway between two of them is good.",
+        verdict=Verdict.BOUND,
+        domain="maps with x·Lx > 0 for all x, which turn every vector by less than 90 degrees: a convex set, and all of "
+        "it good. The set of all good maps is convex in the coordinates of figure 6 only",
         form=mp.mpf(1) / 2,
-        cases=_pairs_of_maps,
+        cases=_pairs_with_positive_products,
+        outside=_pairs_that_turn,
         deviation=_bad_between,
-        correction=Correction(
-            statement="The region of figure 6 is convex, in the coordinates a and s.",
-            form=_border,
-            cases=_pairs,
-            deviation=_not_convex,
-        ),
-        copies=(Copy("|a| < π/2 + arcsin s", lambda s: mp.pi / 2 + mp.asin(s)),),
-        remark="The abstract says that A^t exists for a convex and large subset of the affinities; section 5.2 has it "
-        "of figure 6 alone. Turns by less and by more than 180 degrees are both good, and between them there are bad "
-        "maps: a blend of two good maps has to be checked.",
+        copies=(Copy("as far again beyond the second map", mp.mpf(2)),),
+        remark="The abstract has A^t exist for a convex and large subset of the affinities, section 5.2 says it of "
+        "figure 6. Maps that turn to the left and to the right are good, and between them there are bad ones: a blend "
+        "of good maps has to be checked.",
     ),
     Claim(
         id="rossignac_vinacua.figure_6.trapezoid",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from affinecert.errors import InputError
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.precision import exactly, mp, size
 from affinecert.reference import sam
@@ -11,6 +12,9 @@ from affinecert.reference._matrices import Array, Number, scalar
 
 Poses = tuple[Array, Array, Array]
 """F_A, F_B and F_C, homogeneous."""
+
+EIGHTHS = tuple(mp.mpf(k) / 8 for k in range(9))
+"""Times from 0 to 1."""
 
 Motion = Callable[[Number], Array]
 
@@ -95,3 +99,31 @@ def regular_poses() -> Poses:
     """1, P and P^2: the poses of one steady motion."""
     step = exactly([[0.75, -0.5, 1], [0.5, 1.25, 0], [0, 0, 1]])
     return exactly([[1, 0, 0], [0, 1, 0], [0, 0, 1]]), step, step @ step
+
+
+def with_good_legs() -> list[Poses]:
+    """Poses with steady morphs from the first to the second and from the second to the third."""
+    return [*map(_legs_are_good, ordinary_poses()), *with_stretched_legs(2)()]
+
+
+def with_stretched_legs(*factors: int) -> Callable[[], list[Poses]]:
+    """The same, the legs being `stretched_turns`."""
+    return lambda: [_legs_are_good(stretched_turns(k)) for k in factors]
+
+
+def _legs_are_good(poses: Poses) -> Poses:
+    """The poses, if the two steady morphs exist between them, and InputError if not."""
+    half = mp.mpf(1) / 2
+    steady(poses[0], half, poses[1])
+    steady(poses[1], half, poses[2])
+    return poses
+
+
+def undefined(motion: Callable[[Poses, Number], Array], poses: Poses) -> int:
+    """Whether a motion is missing at one of the eighths of its time."""
+    try:
+        for t in EIGHTHS:
+            motion(poses, t)
+    except InputError:
+        return 1
+    return 0
