@@ -228,8 +228,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         place="section 5.2, and abstract",
         statement="The good affinities are a convex set: what is halfway between two of them is good.",
         verdict=Verdict.BOUND,
-        domain="maps with x·Lx > 0 for all x, which turn every vector by less than 90 degrees: a convex set, and all of "
-        "it good. The set of all good maps is convex in the coordinates of figure 6 only",
+        domain="maps with x·Lx > 0 for all x, which turn every vector by less than 90 degrees: a convex set, all of it "
+        "good. The set of all good maps is convex in the coordinates of figure 6 only",
         form=mp.mpf(1) / 2,
         cases=_pairs_with_positive_products,
         outside=_pairs_that_turn,
