@@ -9,7 +9,7 @@ from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.draws import arrays
 from affinecert.properties.claims.precision import difference, distance, exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.listings import power
-from affinecert.properties.claims.rossignac_vinacua.motions import (
+from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import (
     TIMES,
     all_maps,
     by,

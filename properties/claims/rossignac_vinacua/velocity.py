@@ -9,7 +9,7 @@ from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.precision import difference, distance, exactly, mp, size
 from affinecert.properties.claims.rossignac_vinacua.listings import power
-from affinecert.properties.claims.rossignac_vinacua.motions import (
+from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import (
     TIMES,
     affine,
     all_maps,
