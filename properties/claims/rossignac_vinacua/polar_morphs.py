@@ -7,6 +7,7 @@ from typing import Any
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.draws import plane_rotation
 from affinecert.properties.claims.precision import HOLDS, difference, distance, exactly, mp
+from affinecert.properties.claims.rossignac_vinacua.polar_factors import Angles, angles_and_stretches, conjugate, turned
 from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     Morph,
     at,
@@ -14,7 +15,6 @@ from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     unit,
     unsteadiness,
 )
-from affinecert.properties.claims.rossignac_vinacua.polar_factors import Angles, angles_and_stretches, conjugate, turned
 from affinecert.reference import morphs
 from affinecert.reference._matrices import Array, Context, Number, array, homogeneous, identity
 
