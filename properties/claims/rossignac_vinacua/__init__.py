@@ -5,5 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
+from affinecert.properties.claims.rossignac_vinacua import patterns
 
-CLAIMS: tuple[Claim[Any, Any], ...] = ()
+CLAIMS: tuple[Claim[Any, Any], ...] = (*patterns.CLAIMS,)
