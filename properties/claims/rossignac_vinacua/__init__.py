@@ -5,6 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
-from affinecert.properties.claims.rossignac_vinacua import patterns
+from affinecert.properties.claims.rossignac_vinacua import bezier, patches, patterns, subdivision, sweeps
 
-CLAIMS: tuple[Claim[Any, Any], ...] = (*patterns.CLAIMS,)
+CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *patterns.CLAIMS,
+    *sweeps.CLAIMS,
+    *patches.CLAIMS,
+    *bezier.CLAIMS,
+    *subdivision.CLAIMS,
+)

@@ -124,7 +124,8 @@ def _rank(rows: list[list[Fraction]]) -> int:
 
 def _vertices(pose: Array) -> Array:
     """The triangle that a pose makes of 0, e_1, e_2, vertices in columns."""
-    return pose @ exactly([[0, 1, 0], [0, 0, 1], [1, 1, 1]])
+    vertices: Array = pose @ exactly([[0, 1, 0], [0, 0, 1], [1, 1, 1]])
+    return vertices
 
 
 def _end_of(first: Array, count: int) -> Array:
