@@ -160,7 +160,7 @@ def _off_polynomial(step: _Step, case: tuple[list[Number], int]) -> Number:
     coefficients, count = case
 
     def value(t: Number) -> Number:
-        return mp.polyval(coefficients[::-1], t)
+        return sum((c * t**k for k, c in enumerate(coefficients)), start=mp.zero)
 
     found = step(_translations([value(mp.mpf(k)) for k in range(count)]))
     truth = _translations([value(mp.mpf(k) / 2) for k in range(2 * count - 1)])
