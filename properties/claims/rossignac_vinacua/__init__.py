@@ -5,7 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
-from affinecert.properties.claims.rossignac_vinacua import bezier, patches, patterns, subdivision, sweeps
+from affinecert.properties.claims.rossignac_vinacua import (
+    bezier,
+    linear_problem,
+    patches,
+    patterns,
+    plane_cases,
+    plane_exponential,
+    plane_logarithm,
+    subdivision,
+    sweeps,
+)
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     *patterns.CLAIMS,
@@ -13,4 +23,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *patches.CLAIMS,
     *bezier.CLAIMS,
     *subdivision.CLAIMS,
+    *linear_problem.CLAIMS,
+    *plane_exponential.CLAIMS,
+    *plane_logarithm.CLAIMS,
+    *plane_cases.CLAIMS,
 )
