@@ -10,9 +10,11 @@ from affinecert.properties.claims.rossignac_vinacua import (
     linear_problem,
     patches,
     patterns,
+    plane_algorithm,
     plane_cases,
     plane_exponential,
     plane_logarithm,
+    plane_singular,
     subdivision,
     sweeps,
 )
@@ -27,4 +29,6 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *plane_exponential.CLAIMS,
     *plane_logarithm.CLAIMS,
     *plane_cases.CLAIMS,
+    *plane_singular.CLAIMS,
+    *plane_algorithm.CLAIMS,
 )
