@@ -7,6 +7,7 @@ from typing import Any
 from affinecert.properties.claims.claim import Claim
 from affinecert.properties.claims.rossignac_vinacua import (
     bezier,
+    conclusions,
     linear_problem,
     patches,
     patterns,
@@ -15,6 +16,7 @@ from affinecert.properties.claims.rossignac_vinacua import (
     plane_exponential,
     plane_logarithm,
     plane_singular,
+    space,
     subdivision,
     sweeps,
 )
@@ -25,10 +27,12 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *patches.CLAIMS,
     *bezier.CLAIMS,
     *subdivision.CLAIMS,
+    *conclusions.CLAIMS,
     *linear_problem.CLAIMS,
     *plane_exponential.CLAIMS,
     *plane_logarithm.CLAIMS,
     *plane_cases.CLAIMS,
     *plane_singular.CLAIMS,
     *plane_algorithm.CLAIMS,
+    *space.CLAIMS,
 )
