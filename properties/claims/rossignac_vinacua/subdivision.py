@@ -5,19 +5,17 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Callable, Mapping, Sequence
-from fractions import Fraction
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.definitions import inverse
-from affinecert.properties.claims.draws import arrays, numbers
 from affinecert.properties.claims.precision import FAILS, distance, mp
 from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines, congruent, controls, morph, power
+from affinecert.properties.claims.rossignac_vinacua.predictions import Left, left, towards_c
 from affinecert.reference import sam
-from affinecert.reference._matrices import Array, Number, array, homogeneous, identity, norm, tangent
+from affinecert.reference._matrices import Array, Number, array, homogeneous, identity, norm
 
 _Poses = Sequence[Array]
-_Left = Callable[[Array, Array, Array], Array]
 _Average = Callable[[Array, Array, Number], Array]
 _Step = Callable[[_Poses], list[Array]]
 
@@ -31,40 +29,14 @@ def _straight(start: Array, end: Array, t: Number) -> Array:
     return found
 
 
-def _carried(pose: Array, start: Array, end: Array, t: Number) -> Array:
-    """SAM of four arguments: the pose F_X carried from F_A towards F_B."""
-    found: Array = power(mp, end @ inverse(mp, start), t) @ pose
-    return found
-
-
-def _left(near: float = 0.625, far: float = 0.125) -> _Left:
-    """SAM(SAM(F_A, 0.625, F_B), F_C, .125, F_B), as printed."""
-
-    def predicted(a: Array, b: Array, c: Array) -> Array:
-        return _carried(morph(mp, a, b, mp.mpf(near)), c, b, mp.mpf(far))
-
-    return predicted
-
-
-def _towards_c(a: Array, b: Array, c: Array) -> Array:
-    """With F_B and F_C exchanged in the outer call."""
-    return _carried(morph(mp, a, b, mp.mpf(0.625)), b, c, mp.mpf(0.125))
-
-
-def _neville(a: Array, b: Array, c: Array) -> Array:
-    """The same point of the parabola by Neville's algorithm, from the legs at 1/2 and -1/2."""
-    half = mp.mpf(1) / 2
-    return morph(mp, morph(mp, a, b, half), morph(mp, b, c, -half), half / 2)
-
-
-def _listing(left: _Left = _left(), average: _Average = _sam) -> _Step:  # noqa: B008 (a pure function)
+def _listing(predict: Left = left(), average: _Average = _sam) -> _Step:  # noqa: B008 (a pure function)
     """The listing subdivide(), with its indices."""
 
     def subdivided(p: _Poses) -> list[Array]:
         n, f_l, f_r, q = len(p), {}, {}, {}
         for i in range(1, n - 1):
-            f_l[i] = left(p[i - 1], p[i], p[i + 1])
-            f_r[i] = left(p[i + 1], p[i], p[i - 1])
+            f_l[i] = predict(p[i - 1], p[i], p[i + 1])
+            f_r[i] = predict(p[i + 1], p[i], p[i - 1])
         for i in range(n):
             q[2 * i] = p[i]
         for i in range(1, n - 2):
@@ -92,57 +64,6 @@ def _straightened(p: _Poses) -> list[Array]:
     """As many samples of the SAM from the first pose to the last."""
     count = 2 * len(p) - 1
     return [_sam(p[0], p[-1], mp.mpf(k) / (count - 1)) for k in range(count)]
-
-
-def _weights(form: Sequence[Fraction], _case: int) -> Any:
-    """The difference to the weights of the values at 0, 1, 2 and 3 in their cubic interpolant at 3/2, exactly.
-
-    ``form`` are the weights of A, B and C in a prediction between A and B; two of them are averaged.
-    """
-    right = (*reversed(form), Fraction(0))
-    mean = [(x + y) / 2 for x, y in zip(right, reversed(right), strict=True)]
-    at, truth = Fraction(3, 2), []
-    for k in range(4):
-        weight = Fraction(1)
-        for other in range(4):
-            weight *= Fraction(1) if other == k else (at - other) / (k - other)
-        truth.append(weight)
-    return float(max(abs(x - y) for x, y in zip(mean, truth, strict=True)))
-
-
-_PRINTED_WEIGHTS = (Fraction(3, 8), Fraction(3, 8) + Fraction(3, 8), -Fraction(1, 8))
-"""In translations left is 3/8 F_A + 5/8 F_B + 1/8 (F_B - F_C)."""
-
-
-def _generators() -> list[tuple[Array, list[Number]]]:
-    generators = [tangent(mp, identity(mp, 2) * 0, array([mp.one, mp.zero]))]
-    for size in (2, 3):
-        drawn = arrays("commuting poses", 2, (size, size + 1), -1, 1)
-        generators += [tangent(mp, each[:, :size], each[:, size]) for each in drawn]
-    scales = numbers("along one motion", 3 * len(generators), -0.5, 0.5)
-    return [(generator, scales[3 * k : 3 * k + 3]) for k, generator in enumerate(generators)]
-
-
-def _off_parabola(left: _Left, case: tuple[Array, list[Number]]) -> Number:
-    """Of poses exp(a_i C), the distance from exp(a C), a the parabola through (0, a_0), (1/2, a_1), (1, a_2) at 1/4."""
-    generator, (a, b, c) = case
-    truth = sam.exponential(mp, (3 * a + 6 * b - c) / 8 * generator)
-    return distance(left(*(sam.exponential(mp, each * generator) for each in (a, b, c))), truth)
-
-
-def _disagreement(pair: tuple[_Left, _Left], case: tuple[Array, list[Number]]) -> Number:
-    generator, scales = case
-    first, second = (left(*(sam.exponential(mp, each * generator) for each in scales)) for left in pair)
-    return distance(second, first)
-
-
-def _agreement(pair: tuple[_Left, _Left], poses: tuple[Array, Array, Array]) -> int:
-    return int(distance(pair[1](*poses), pair[0](*poses)) < FAILS)
-
-
-def _threes() -> list[tuple[Array, Array, Array]]:
-    drawn = [controls(f"threes of {size}", 6, size) for size in (2, 3)]
-    return [(each[k], each[k + 1], each[k + 2]) for each in drawn for k in (0, 3)]
 
 
 def _translations(values: Sequence[Number]) -> list[Array]:
@@ -279,54 +200,6 @@ _SUBDIVIDED = _listing()
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     Claim(
-        id="rossignac_vinacua.7.3.left",
-        place="section 7.3, listing left",
-        statement="left(F_A, F_B, F_C) is a quarter along the parabola through the poses, exactly so of exp(a_i C).",
-        printed="left(F_A, F_B, F_C) = SAM(SAM(F_A, 0.625, F_B), F_C, .125, F_B)",
-        verdict=Verdict.CONFIRMED,
-        form=_left(),
-        cases=_generators,
-        deviation=_off_parabola,
-        copies=(
-            Copy("leftControl of section 5.3, which makes a control pose", _left(0.75, 0.25)),
-            Copy("F_B and F_C exchanged", _towards_c),
-            Copy("0.5 for 0.625", _left(0.5)),
-        ),
-        remark="The words call the parabola a quadratic Bezier motion; F_B is not its control pose but on it.",
-    ),
-    Claim(
-        id="rossignac_vinacua.7.3.neville",
-        place="section 7.3",
-        statement="The average of two parabolic predictions is the middle of the cubic interpolant, as by Neville.",
-        printed="(3/8, 6/8, -1/8), from both sides",
-        verdict=Verdict.CONFIRMED,
-        form=_PRINTED_WEIGHTS,
-        cases=lambda: [0],
-        deviation=_weights,
-        copies=(Copy("the weights 1/4, 1, -1/4 of leftControl", (Fraction(1, 4), Fraction(1), Fraction(-1, 4))),),
-        remark="The four weights are the classical -1/16, 9/16, 9/16, -1/16.",
-    ),
-    Claim(
-        id="rossignac_vinacua.7.3.formulae_agree",
-        place="section 7.3",
-        statement="Formulae for the new vertices agree where averages commute: the printed one, and Neville's own.",
-        verdict=Verdict.CONFIRMED,
-        form=(_left(), _neville),
-        cases=_generators,
-        deviation=_disagreement,
-        copies=(Copy("leftControl of section 5.3", (_left(0.75, 0.25), _neville)),),
-    ),
-    Claim(
-        id="rossignac_vinacua.7.3.formulae_differ",
-        place="section 7.3",
-        statement="SAM averages do not commute: of poses in general those formulae give different results.",
-        verdict=Verdict.CONFIRMED,
-        form=(_left(), _neville),
-        cases=_threes,
-        deviation=_agreement,
-        copies=(Copy("twice the printed one", (_left(), _left())),),
-    ),
-    Claim(
         id="rossignac_vinacua.7.3.subdivide",
         place="section 7.3, listing subdivide",
         statement="On translations the listing is the four-point scheme: it reproduces cubics, at the ends quadratics.",
@@ -336,7 +209,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         cases=_polynomials,
         deviation=_off_polynomial,
         copies=(
-            Copy("leftControl for left", _listing(_left(0.75, 0.25))),
+            Copy("leftControl for left", _listing(left(0.75, 0.25))),
             Copy("middles of the spans", _refined),
         ),
     ),
@@ -397,8 +270,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         cases=_regular,
         deviation=_irregular,
         copies=(
-            Copy("the mean of predictions in a straight line", _listing(_left(0.5))),
-            Copy("F_B and F_C exchanged in left", _listing(_towards_c)),
+            Copy("the mean of predictions in a straight line", _listing(left(0.5))),
+            Copy("F_B and F_C exchanged in left", _listing(towards_c)),
         ),
     ),
     Claim(
@@ -409,7 +282,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         form=_SUBDIVIDED,
         cases=lambda: [congruent("congruent", 4), congruent("more congruent", 5, mp.mpf(1.25))],
         deviation=_not_congruent,
-        copies=(Copy("straight lines between the predictions", _listing(_left(), _straight)),),
+        copies=(Copy("straight lines between the predictions", _listing(left(), _straight)),),
     ),
     Claim(
         id="rossignac_vinacua.7.3.subdivide_not_steady",

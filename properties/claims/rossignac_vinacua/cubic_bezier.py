@@ -1,4 +1,4 @@
-"""Section 7.3: Bezier motions cascaded from SAMs, and motions of several spans."""
+"""Section 7.3: cubic Bezier motions cascaded from SAMs, and motions of several spans."""
 
 from __future__ import annotations
 
