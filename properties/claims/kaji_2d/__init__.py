@@ -5,5 +5,28 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim
+from affinecert.properties.claims.kaji_2d import (
+    affine_maps,
+    definiteness,
+    degeneration,
+    errors,
+    homotopies,
+    minimisers,
+    non_degeneracy,
+    quadratic_form,
+    singular_values,
+    wishes,
+)
 
-CLAIMS: tuple[Claim[Any, Any], ...] = ()
+CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *affine_maps.CLAIMS,
+    *homotopies.CLAIMS,
+    *degeneration.CLAIMS,
+    *non_degeneracy.CLAIMS,
+    *wishes.CLAIMS,
+    *definiteness.CLAIMS,
+    *errors.CLAIMS,
+    *minimisers.CLAIMS,
+    *quadratic_form.CLAIMS,
+    *singular_values.CLAIMS,
+)
