@@ -156,7 +156,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         printed="v(t) = -G⁻¹ u(t) / 2",
         verdict=Verdict.CONFIRMED,
         form=lambda g, u: -(g @ u) / 2,
-        cases=lambda: tasks(0.375, 1.25)[1::3],
+        cases=lambda: tasks(0.375, 1.25)[::2],
         deviation=_solved,
         copies=(
             Copy("+ for -", lambda g, u: g @ u / 2),
