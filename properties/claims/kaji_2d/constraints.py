@@ -144,7 +144,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     Claim(
         id="kaji_2d.4.edge_direction",
         place="section 4, list of constraints, second",
-        statement="The directions of edges are fixed by squares of v_i - v_j - e_ij: such a term asks for no more.",
+        statement="That an edge has a given direction is realised by the square of v_i - v_j - e_ij: it is 0 then.",
         printed="add the term c_ij |v_i(t) - v_j(t) - e_ij(t)|²",
         verdict=Verdict.BOUND,
         domain="edges as long as e_ij: the term fixes length and direction",

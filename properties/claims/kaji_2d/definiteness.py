@@ -8,16 +8,16 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.kaji_2d.errors import frobenius, similarity
-from affinecert.properties.claims.kaji_2d.plane import IDENTITY, J, determinant, inner, square, zero_or_one
+from affinecert.properties.claims.kaji_2d.plane import J, determinant, square, zero_or_one
 from affinecert.properties.claims.kaji_2d.shapes import (
     FAN,
-    SQUARE,
     STRIP,
     TRIANGLE,
     Constraint,
     Error,
     Mesh,
     drawn_goals,
+    form_of,
     inertia,
     polarised,
     rational,
@@ -64,7 +64,7 @@ def _similarity_but(doubled: Fraction) -> Error:
 
 def _shapes() -> list[Shape]:
     """Meshes with random goals, and with those of a piecewise affine map."""
-    meshes = TRIANGLE, SQUARE, STRIP, FAN
+    meshes = TRIANGLE, STRIP, FAN
     random = [(mesh, drawn_goals(mesh.name, len(mesh.triangles))) for mesh in meshes]
     return [*[(mesh, [rational([[1, 0], [0, 1]])] * len(mesh.triangles)) for mesh in meshes], *random]
 
@@ -137,16 +137,20 @@ def _constraint_semidefinite(constraint: Any, count: int) -> int:
     return zero_or_one(inertia(gram)[1] != 0)
 
 
-def _interpolates_alone(constrained: Any, shape: Shape) -> int:
-    """Whether the source itself, at t = 0, fails to be the one minimiser."""
-    mesh, _ = shape
-    error, held = constrained("E^R", mesh)
-    goals = [IDENTITY * Fraction(1)] * len(mesh.triangles)
-    shifted = total(mesh, error, goals, lambda moved: held(moved - mesh.vertices + rational([1, 2])))
-    gram, u, c = polarised(shifted, 2 * len(mesh.vertices))
+def _vertex_and_edge(name: str, mesh: Mesh) -> tuple[Error, Constraint]:
+    return ERRORS[name], lambda moved: _held(0)(moved) + square(moved[1] - moved[0])
+
+
+def _misses_the_source(error: Error, case: tuple[Any, Shape]) -> int:
+    """Whether the source itself, at t = 0, is not the one minimiser under constraints that it meets."""
+    constrained, (mesh, goals) = case
+    _, unmoved = constrained("E^R", mesh)
+    meets = rational([[1, 2]] * len(mesh.vertices))
+    shifted = total(mesh, error, goals, lambda moved: unmoved(moved - mesh.vertices + meets))
+    gram, u, c = polarised(shifted, mesh.vertices.size)
     flat = mesh.vertices.flatten()
-    stationary = not (2 * (gram @ flat) + u).any() and inner(flat, gram @ flat) + inner(flat, u) + c == 0
-    return zero_or_one(not stationary or inertia(gram)[2] != 0)
+    stationary = not (2 * (gram @ flat) + u).any() and form_of((gram, u, c), flat) == 0
+    return zero_or_one(not stationary or inertia(gram)[1:] != (0, 0))
 
 
 def _squares() -> Mapping[str, Any]:
@@ -154,7 +158,7 @@ def _squares() -> Mapping[str, Any]:
     fan = _shapes()[-1]
     return {
         "squares of E^F, E^R in B (+, -, 0)": (inertia(_gram(frobenius, a)), inertia(_gram(similarity, a))),
-        "freedoms of E^F and E^R, a strip": tuple(_freedoms(each, _shapes()[6]) for each in ERRORS.values()),
+        "freedoms of E^F and E^R, a strip": tuple(_freedoms(each, _shapes()[4]) for each in ERRORS.values()),
         "freedoms of E^F and E^R, a fan that does not close": tuple(_freedoms(each, fan) for each in ERRORS.values()),
     }
 
@@ -260,21 +264,20 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     ),
     Claim(
         id="kaji_2d.4.E_R_in_place_of_E_F",
-        place="section 4, figure 5 with figure 3",
-        statement="E^R takes the place of E^F with the same input data, the constraint on one vertex included: the "
-        "source is the one minimiser at t = 0.",
-        verdict=Verdict.REFUTED,
-        fault=Fault.MATHEMATICAL,
-        form=_one_vertex,
-        cases=lambda: _shapes()[:4],
-        deviation=_interpolates_alone,
-        correction=Correction(
-            statement="E^R needs four-dimensional constraints, for rotation and scale too: two vertices, or one and an "
-            "edge.",
-            form=_two_vertices,
+        place="section 4, figures 4 and 5, captions",
+        statement="E^R takes the place of E^F with the same input data: the source is the one minimiser at t = 0.",
+        verdict=Verdict.BOUND,
+        domain="constraints on two vertices, or on one and an edge; not the one vertex that is enough for E^F",
+        form=similarity,
+        cases=lambda: [(each, shape) for each in (_two_vertices, _vertex_and_edge) for shape in _shapes()[:3]],
+        outside=lambda: [(_one_vertex, shape) for shape in _shapes()[:3]],
+        deviation=_misses_the_source,
+        copies=(
+            Copy("3 det(B Aᵀ) for 2 det(B Aᵀ)", _similarity_but(Fraction(3))),
+            Copy("det(B Aᵀ) for 2 det(B Aᵀ)", _similarity_but(Fraction(1))),
         ),
-        copies=(Copy("an edge alone", _edge_vector),),
-        remark="With one vertex all shapes that are similar are equally good at t = 0, and the point later.",
+        remark="With one vertex all similar shapes are equally good at t = 0, and the point is best later. The loci of "
+        "figure 2 are enough, if they are two.",
     ),
 )
 """What is definite, and how many freedoms are left."""

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 Points = NDArray[np.complex128]
 Numbers = NDArray[np.float64]
@@ -40,7 +41,7 @@ class Moved(NamedTuple):
 
 
 LENGTH = 6.0
-TIMES = np.linspace(0.0, 1.0, 21)[1:-1]
+TIMES = np.linspace(0.0, 1.0, 11)[1:-1]
 
 
 def bar(turn: float, offset: float = 0.0) -> Shape:
@@ -120,6 +121,27 @@ def strain(goal: Points, part: Points) -> Numbers:
     return found
 
 
+def _least(
+    take: Numbers, weights: Numbers, goal: Points, terms: Sequence[tuple[Term, complex]], *, invariant: bool
+) -> Points:
+    """The linear parts of the minimiser, with the places of the terms at the time."""
+    projection: Any = np.eye(2)
+    if invariant:
+        squares = np.sum(np.abs(goal) ** 2, axis=1)[:, None, None]
+        projection = np.eye(2) - goal[:, :, None] * goal.conj()[:, None] / squares
+    kept = weights[:, None, None] * (projection @ take)
+    columns = take.reshape(-1, take.shape[2])
+    matrix = columns.T @ kept.reshape(columns.shape)
+    right = np.zeros(take.shape[2], complex) if invariant else columns.T @ (weights[:, None] * goal).ravel()
+    for (signs, _, weight), place in terms:
+        row = np.zeros(take.shape[2])
+        row[list(signs)] = list(signs.values())
+        matrix = matrix + weight * np.outer(row, row)
+        right = right + weight * row * place
+    parts: Points = take @ np.linalg.solve(matrix, right)
+    return parts
+
+
 def move(
     shape: Shape,
     terms: Sequence[Term],
@@ -132,23 +154,10 @@ def move(
     """The minimiser of E^F, or E^R if ``invariant``, with these terms, at some times."""
     take, areas = derivatives(shape)
     weights = areas if weighted else np.ones_like(areas)
-    whole = take @ shape.target
-    goals = np.array([exponential(whole, t, expected) for t in times])
-    parts = []
-    for t, goal in zip(times, goals, strict=True):
-        projection: Any = np.eye(2)
-        if invariant:
-            projection = (
-                np.eye(2) - goal[:, :, None] * goal.conj()[:, None] / np.sum(np.abs(goal) ** 2, axis=1)[:, None, None]
-            )
-        kept = weights[:, None, None] * (projection @ take)
-        columns = take.reshape(-1, take.shape[2])
-        matrix = columns.T @ kept.reshape(columns.shape)
-        right = np.zeros(take.shape[2], complex) if invariant else columns.T @ (weights[:, None] * goal).ravel()
-        for signs, place, weight in terms:
-            row = np.zeros(take.shape[2])
-            row[list(signs)] = list(signs.values())
-            matrix = matrix + weight * np.outer(row, row)
-            right = right + weight * row * place(t)
-        parts.append(take @ np.linalg.solve(matrix, right))
+    # Matrices as small as these gain nothing from more threads, which cost much on a busy machine.
+    with threadpool_limits(1):
+        whole = take @ shape.target
+        goals = np.array([exponential(whole, t, expected) for t in times])
+        placed = [[(term, term.place(t)) for term in terms] for t in times]
+        parts = [_least(take, weights, *each, invariant=invariant) for each in zip(goals, placed, strict=True)]
     return Moved(goals, np.array(parts))

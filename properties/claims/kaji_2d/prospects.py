@@ -100,7 +100,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         deviation=_sound,
         copies=(Copy("each triangle by itself", _by_themselves),),
         remark="Half way, for E^F and E^R alike. In the first case θ of the neighbours lies on both sides of π; in the "
-        "others all θ are within less than π, but sizes change unlike.",
+        "others all θ are within less than π, but sizes change unlike. So E has to be defined for all B, not only in "
+        "GL⁺.",
     ),
     Claim(
         id="kaji_2d.5.three_dimensions",

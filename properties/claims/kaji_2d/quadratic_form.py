@@ -5,7 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims import definitions
+from affinecert.properties.claims.claim import Claim, Copy, Loss, Verdict
 from affinecert.properties.claims.kaji_2d.errors import frobenius, similarity
 from affinecert.properties.claims.kaji_2d.minimisers import Task, goals, held, meshes, straight, targets, tasks
 from affinecert.properties.claims.kaji_2d.plane import determinant, square, zero_or_one
@@ -26,7 +27,7 @@ from affinecert.properties.claims.kaji_2d.shapes import (
 )
 from affinecert.properties.claims.precision import distance, exactly, mp, size
 from affinecert.reference import mesh2
-from affinecert.reference._matrices import Array, Number, array, scalar
+from affinecert.reference._matrices import Array, Context, Number, array, scalar
 
 
 def _rational_tasks() -> list[tuple[Mesh, list[Array], Array]]:
@@ -76,6 +77,14 @@ def _solved(formula: Any, task: Task) -> Number:
     g, u, _ = polarised(total(mesh, frobenius, goals(mesh, target, t), constraint, areas(mesh)), target.size, mp.one)
     found = formula(array((mp.matrix(g.tolist()) ** -1).tolist()), u)
     return distance(found.reshape(-1, 2), truth)
+
+
+def _of_one_triangle(m: Context, source: Array, a: Array) -> Array:
+    """The second and third vertex of a triangle whose linear part is to be A, by -G⁻¹ u / 2."""
+    function = total(Mesh(source, ((0, 1, 2),), "thin"), frobenius, [a], held((0, source[0] * 0)))
+    g, u, _ = polarised(function, 6, m.one)
+    found: Array = (definitions.inverse(m, g) @ u / -2).reshape(3, 2)[1:]
+    return found
 
 
 def _matrices_at_two_times(assembled: Any, case: tuple[Error, Mesh, Array]) -> Number:
@@ -161,6 +170,15 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         copies=(
             Copy("+ for -", lambda g, u: g @ u / 2),
             Copy("1 for 1/2", lambda g, u: -(g @ u)),
+        ),
+        losses=(
+            Loss(
+                where="E^F of a triangle of height 1e-4: the normal equations square the condition",
+                formula=_of_one_triangle,
+                truth=lambda m, source, a: (a @ (source - source[0]).T).T[1:],
+                at=([[0.0, 0.0], [1.0, 0.0], [0.3, 1e-4]], [[1.1, -0.7], [0.6, 0.9]]),
+                digits=8,
+            ),
         ),
         remark="If G is regular, unlike that of E^R with one vertex constrained. Factor it rather than invert it.",
     ),

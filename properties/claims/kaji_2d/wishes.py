@@ -110,7 +110,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
             Copy("A^E itself: t for both", lambda a, t: (t, t)),
         ),
         remark="The angle of A^E is linear in t as it stands, and any other speed spoils it. Singular values are "
-        "linear in A^P, both of them; no τ does that.",
+        "linear in A^P, both of them; no τ does that. (If a speed for each factor is meant, the claim stands.)",
     ),
     Claim(
         id="kaji_2d.3.property_b_monotonic",
