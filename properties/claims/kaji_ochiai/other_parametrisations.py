@@ -39,14 +39,13 @@ def _gimbal() -> list[Array]:
     return [array([first, mp.pi / 2, last]) for first, last in ((mp.zero, mp.zero), (mp.one, mp.mpf(2)))]
 
 
-def _redundancy(chart: Any, at: Array) -> int:
-    """How far a chart is from having one parameter more than its images have degrees of freedom."""
+def redundancy(chart: Any, at: Array) -> int:
+    """How many parameters a chart has more than its images have degrees of freedom."""
     steps = [array([mp.one * (row == k) for row in range(len(at))]) for k in range(len(at))]
     rates = [definitions.derivative(mp, lambda t, s=s: chart(at + t * s), mp.zero).reshape(-1) for s in steps]
     gram = mp.matrix([[a @ b for b in rates] for a in rates])
     eigenvalues = mp.eigsy(gram, eigvals_only=True)
-    rank = sum(1 for each in eigenvalues if each > mp.mpf(10) ** -40)
-    return abs(len(at) - rank - 1)
+    return len(at) - sum(1 for each in eigenvalues if each > mp.mpf(10) ** -40)
 
 
 def _turned(q: Array) -> Array:
@@ -192,7 +191,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         verdict=Verdict.CONFIRMED,
         form=_turned,
         cases=lambda: [exactly([1, 0, 0, 0]), exactly([1, 2, -1, 3])],
-        deviation=_redundancy,
+        deviation=lambda chart, at: abs(redundancy(chart, at) - 1),
         copies=(Copy("x → q x q*, which scales too, for x → q x q⁻¹", _scaled),),
     ),
     Claim(

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.draws import arrays, rotations
 from affinecert.properties.claims.precision import difference, exactly, mp, size
@@ -89,27 +87,6 @@ def _claim(name: str, place: str, printed: str, change: str, **other: Any) -> Cl
     )
 
 
-def _uneven(stretch: str) -> Any:
-    """A blend of two maps with given weights, in parameters; or of matrices."""
-
-    def blend(affines: Array, weights: Array) -> Array:
-        if stretch == "matrices":
-            return np.asarray(sum(weight * affine for weight, affine in zip(weights, affines, strict=True)))
-        return kaji_ochiai.blend(mp, affines, weights)
-
-    return blend
-
-
-def _leaves(blend: Any, case: tuple[Subclass, Array]) -> Number:
-    subclass, weights = case
-    return outside(blend(np.array(members(subclass, 2)), weights), subclass)
-
-
-def _blends() -> list[tuple[Subclass, Array]]:
-    weights = exactly([[0.5, 0.5], [1.5, 1], [-1, 2], [-3, 0.25]])
-    return [(subclass, own) for subclass in SUBCLASSES for own in weights]
-
-
 CLAIMS: tuple[Claim[Any, Any], ...] = (
     _claim("Sim+(3)", "Sim+(3)", "{(L, X, c I)}", "c = 0", stretch=NONE),
     _claim("GL+(3)", "GL+(3)", "{(I, X, Y)}", "Y = c I", stretch=UNIFORM),
@@ -119,17 +96,4 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     _claim("R^3", "R^3", "{(L, 0, 0)}", "I for L", moves=False),
     _claim("SO(3)", "SO(3)", "{(I, X, 0)}", "L for I", moves=True),
     _claim("R+", "R+", "{(I, 0, c I)}", "any Y", stretch=ANY),
-)
-
-CLAIMS_OF_BLENDS: tuple[Claim[Any, Any], ...] = (
-    Claim(
-        id="kaji_ochiai.5.1.blend_in_class",
-        place="section 5.1, after equation 9",
-        statement="A blend of maps of one of these classes is in the class, whatever the weights.",
-        verdict=Verdict.CONFIRMED,
-        form=_uneven("parameters"),
-        cases=_blends,
-        deviation=_leaves,
-        copies=(Copy("the weighted sum of matrices", _uneven("matrices")),),
-    ),
 )
