@@ -145,7 +145,7 @@ def _shape(form: str) -> Any:
 
 def _given_shape(m: Context, weights: Array) -> Array:
     chosen = [target for weight, target in zip(weights, TARGETS, strict=True) if weight]
-    return chosen[0] if chosen else REST
+    return np.asarray(chosen[0] if chosen else REST)
 
 
 def _through_keys(kind: str) -> Any:
@@ -188,7 +188,7 @@ def _unsmooth(curve: Any, poses: Array) -> Number:
 def _polygon(poses: Array, t: Number) -> Array:
     """Piecewise linear interpolation of the parameters."""
     k = min(max(int(mp.floor(t)), 0), len(poses) - 2)
-    return blend(mp, array(poses[k : k + 2]), array([1 - (t - k), t - k]))
+    return blend(mp, poses[k : k + 2], array([1 - (t - k), t - k]))
 
 
 def _keys() -> list[Array]:

@@ -173,8 +173,8 @@ HIGHAM = closed_forms.round_trip(closed_forms.factors_by_higham)
 
 def _not_huge(method: Method, _: None) -> int:
     """Whether a method errs little without a logarithm, or much with one."""
-    errors, without = _squared_errors(method), _without_logarithm()
-    return int(errors[without].max() < 1 or errors[~without].max() > 1e-16)
+    errors, without = _squared_errors(method), _without_logarithm().astype(bool)
+    return int(errors[without].max() < 1 or errors[np.logical_not(without)].max() > 1e-16)
 
 
 def _errs(method: Method, _: None) -> float:

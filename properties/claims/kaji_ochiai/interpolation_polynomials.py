@@ -139,7 +139,7 @@ def _eq13(slip: str = "") -> Any:
     """A I + b Y + c Y^2 with the coefficients of equation 13."""
 
     def evaluated(m: Context, y: Array, nodes: Numbers) -> Array:
-        a, b, c = lagrange(m, m.exp, *nodes, slip)
+        a, b, c = lagrange(m, m.exp, nodes[0], nodes[1], nodes[2], slip)
         found: Array = a * identity(m, 3) + b * y + c * (y @ y)
         return found
 

@@ -24,13 +24,19 @@ def euler(m: Context, angles: Array) -> Array:
     return rotation
 
 
+def partial_derivative(chart: Any, at: Array, k: int) -> Array:
+    """The derivative of a map of parameters by parameter k."""
+    step = array([mp.one * (row == k) for row in range(len(at))])
+    rate: Array = definitions.derivative(mp, lambda t: chart(at + t * step), mp.zero)
+    return rate
+
+
 def local_determinant(chart: Any, at: Array) -> Number:
     """The determinant of the differential of a chart of the rotations, as three angular velocities: 0 if singular."""
     inverse = chart(mp, at).T
     velocities = []
     for k in range(3):
-        step = array([mp.one * (row == k) for row in range(3)])
-        rate = inverse @ definitions.derivative(mp, lambda t, step=step: chart(mp, at + t * step), mp.zero)
+        rate = inverse @ partial_derivative(lambda parameters: chart(mp, parameters), at, k)
         velocities.append([rate[2, 1], rate[0, 2], rate[1, 0]])
     return definitions.determinant(array(velocities))
 
@@ -41,8 +47,7 @@ def _gimbal() -> list[Array]:
 
 def redundancy(chart: Any, at: Array) -> int:
     """How many parameters a chart has more than its images have degrees of freedom."""
-    steps = [array([mp.one * (row == k) for row in range(len(at))]) for k in range(len(at))]
-    rates = [definitions.derivative(mp, lambda t, s=s: chart(at + t * s), mp.zero).reshape(-1) for s in steps]
+    rates = [partial_derivative(chart, at, k).reshape(-1) for k in range(len(at))]
     gram = mp.matrix([[a @ b for b in rates] for a in rates])
     eigenvalues = mp.eigsy(gram, eigvals_only=True)
     return len(at) - sum(1 for each in eigenvalues if each > mp.mpf(10) ** -40)
@@ -50,7 +55,7 @@ def redundancy(chart: Any, at: Array) -> int:
 
 def _turned(q: Array) -> Array:
     """The rotation x -> q x q^-1 of a quaternion that is not 0."""
-    return _scaled(q) / (q @ q)
+    return np.asarray(_scaled(q) / (q @ q))
 
 
 def _scaled(q: Array) -> Array:

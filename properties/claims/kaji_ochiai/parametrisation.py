@@ -9,7 +9,11 @@ import numpy as np
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.draws import arrays
-from affinecert.properties.claims.kaji_ochiai.other_parametrisations import euler, local_determinant
+from affinecert.properties.claims.kaji_ochiai.other_parametrisations import (
+    euler,
+    local_determinant,
+    partial_derivative,
+)
 from affinecert.properties.claims.precision import difference, distance, equals, exactly, mp, size
 from affinecert.reference import kaji_ochiai, so3, sym3
 from affinecert.reference._matrices import (
@@ -87,16 +91,10 @@ def _dimensions_off(stated: tuple[int, int, int, int], _: None) -> int:
     unit = np.eye(9)
     skew_count = 9 - int(np.linalg.matrix_rank(unit + transposed))
     symmetric_count = 9 - int(np.linalg.matrix_rank(unit - transposed))
-    rates = [
-        definitions.derivative(mp, lambda t, k=k: kaji_ochiai.realise(mp, _along(k, t)), mp.zero) for k in range(12)
-    ]
+    rates = [partial_derivative(lambda p: kaji_ochiai.realise(mp, p), exactly([0] * 12), k) for k in range(12)]
     whole = int(np.linalg.matrix_rank(np.array([rate.reshape(-1) for rate in rates], dtype=np.float64)))
     found = (3, skew_count, symmetric_count, whole)
     return max(abs(a - b) for a, b in zip(stated, found, strict=True))
-
-
-def _along(k: int, t: Number) -> Array:
-    return array([t if j == k else mp.zero for j in range(12)])
 
 
 def _asymmetry(form: tuple[Any, Any], numbers: Array) -> Number:
@@ -105,7 +103,7 @@ def _asymmetry(form: tuple[Any, Any], numbers: Array) -> Number:
 
 
 def _symmetric_slipped(y: Array) -> Array:
-    return symmetric(y) + array([[0, 0, 0], [0, 0, 0], [y[1] - y[2], 0, 0]])
+    return np.asarray(symmetric(y) + array([[0, 0, 0], [0, 0, 0], [y[1] - y[2], 0, 0]]))
 
 
 def _split(order: int) -> Any:
@@ -179,7 +177,7 @@ def _lengthened(turn: Number) -> Any:
     """The rotation vector lengthened k times by a turn."""
 
     def longer(x: Array, k: int) -> Array:
-        return x * (1 + k * turn / norm(mp, x))
+        return np.asarray(x * (1 + k * turn / norm(mp, x)))
 
     return longer
 

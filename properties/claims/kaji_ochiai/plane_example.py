@@ -19,7 +19,7 @@ def _is_rotation(matrix: Array) -> bool:
 
 
 def _is_regular(matrix: Array) -> bool:
-    return definitions.determinant(matrix) != 0
+    return bool(definitions.determinant(matrix) != 0)
 
 
 def _sum_stays(addends: tuple[Array, Array], kind: Callable[[Array], bool]) -> bool:
@@ -28,8 +28,8 @@ def _sum_stays(addends: tuple[Array, Array], kind: Callable[[Array], bool]) -> b
 
 
 def _quarter(power: int) -> Array:
-    turn = exactly([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
-    return turn if power == 1 else turn @ turn
+    turn: Array = exactly([[0, -1, 0], [1, 0, 0], [0, 0, 1]] if power == 1 else [[-1, 0, 0], [0, -1, 0], [0, 0, 1]])
+    return turn
 
 
 def _rotation(sign: int) -> Any:

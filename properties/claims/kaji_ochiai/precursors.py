@@ -146,7 +146,7 @@ def _orthogonal(matrix: Array) -> Array:
 
 def _stretched(matrix: Array) -> Array:
     """A map of GL+(3), which is connected and not compact: a rotation after a stretch."""
-    return _orthogonal(matrix) @ np.array([[9, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=object)
+    return np.asarray(_orthogonal(matrix) @ np.array([[9, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=object))
 
 
 def _lacks_logarithm(member: Any, case: tuple[Array, int]) -> int:
@@ -337,8 +337,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         statement="Maps without a logarithm are not so many.",
         verdict=Verdict.UNCHECKABLE,
         reason="How many are few is not said, nor among which maps.",
-        remark="Of 3 by 3 matrices with independent normal entries and positive determinant 34 % have none, measured on "
-        "200 000: whoever meets general maps has to provide for them.",
+        remark="Of 3 by 3 matrices with independent normal entries and positive determinant 34 % have none, by "
+        "200 000 drawn: whoever meets general maps has to provide for them.",
     ),
     Claim(
         id="kaji_ochiai.6.polar_by_closed_forms",

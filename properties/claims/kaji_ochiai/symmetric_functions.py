@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Loss, Verdict
 from affinecert.properties.claims.draws import arrays
@@ -211,11 +213,11 @@ def _inverse_stretch(half: int) -> Any:
 
 
 def _definite_symmetric(m: Context, linear: Array) -> Array:
-    return linear.T @ linear
+    return np.asarray(linear.T @ linear)
 
 
 def _square_of_map(m: Context, linear: Array) -> Array:
-    return linear @ linear
+    return np.asarray(linear @ linear)
 
 
 def _not_definite(form: Any, case: tuple[Array]) -> Number:
@@ -245,7 +247,7 @@ def _small_doubles() -> list[tuple[Array]]:
 
 
 def _through_series(m: Context, linear: Array) -> Array:
-    return sym3.log(m, linear.T @ linear) / 2
+    return np.asarray(sym3.log(m, linear.T @ linear) / 2)
 
 
 _NEAR_IDENTITY = [[1.0 + 3e-12, 1e-12, 0.0], [0.0, 1.0, 1e-12], [0.0, 0.0, 1.0 - 2e-12]]
