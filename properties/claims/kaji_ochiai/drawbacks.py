@@ -9,7 +9,7 @@ import numpy as np
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.draws import arrays, rotations
-from affinecert.properties.claims.kaji_ochiai.applications import blend, matrix_blend
+from affinecert.properties.claims.kaji_ochiai.blending import blend, matrix_blend
 from affinecert.properties.claims.precision import difference, exactly, mp, size
 from affinecert.reference import kaji_ochiai, quaternion, sam, so3
 from affinecert.reference._matrices import Array, Context, Number, array, homogeneous, norm
@@ -257,12 +257,5 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
             ),
         ),
         remark="It is one if X and Y commute and there is no translation.",
-    ),
-    Claim(
-        id="kaji_ochiai.7.further_work",
-        place="section 7",
-        statement="Inverse kinematics, filtering, motion analysis become possible.",
-        verdict=Verdict.UNCHECKABLE,
-        reason="It announces work.",
     ),
 )

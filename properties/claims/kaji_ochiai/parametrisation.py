@@ -1,4 +1,4 @@
-"""Section 3: the parametrisation phi, its inverse psi, the conditions that they satisfy, and remark 3.1."""
+"""Section 3: the parameters, and the map phi of them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,10 @@ from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.draws import arrays
 from affinecert.properties.claims.kaji_ochiai.other_parametrisations import (
-    euler,
-    local_determinant,
     partial_derivative,
 )
-from affinecert.properties.claims.precision import difference, distance, equals, exactly, mp, size
-from affinecert.reference import kaji_ochiai, so3, sym3
+from affinecert.properties.claims.precision import difference, distance, equals, exactly, mp
+from affinecert.reference import kaji_ochiai
 from affinecert.reference._matrices import (
     Array,
     Context,
@@ -25,7 +23,6 @@ from affinecert.reference._matrices import (
     homogeneous,
     identity,
     norm,
-    scalar,
 )
 
 
@@ -52,11 +49,6 @@ def _first_order(m: Context, parameters: Array) -> Array:
     """Phi with I + Y for exp Y."""
     x, y = cross_matrix(m, parameters[3:6]), symmetric(parameters[6:])
     return homogeneous(m, definitions.exponential(m, x) @ (identity(m, 3) + y), parameters[:3])
-
-
-def _absolute(m: Context, parameters: Array) -> Array:
-    """Phi with the sizes of the entries of Y for Y."""
-    return phi(m, np.concatenate([parameters[:6], np.abs(parameters[6:])]))
 
 
 def parameters_within_a_turn() -> list[Array]:
@@ -145,34 +137,6 @@ def _disconnected(path: Any, affine: Array) -> int:
     return int(ends > 1e-50 or any(definitions.determinant(path(affine, t)[:3, :3]) <= 1e-30 for t in times))
 
 
-def _psi(gram: str, side: str = "right") -> Any:
-    """The factors R and S of equation 3: S the square root of L^T L or L L^T, and R = L S^-1 or S^-1 L."""
-
-    def factors(m: Context, affine: Array) -> tuple[Array, Array]:
-        linear = affine[:3, :3]
-        square = linear.T @ linear if gram == "LtL" else linear @ linear.T
-        stretch = sym3.power(m, square, scalar(m.mpf(1) / 2))
-        inverse = definitions.inverse(m, stretch)
-        return linear @ inverse if side == "right" else inverse @ linear, stretch
-
-    return factors
-
-
-def _not_inverse(order: int) -> Any:
-    """How far phi of the logarithms of R and S, or phi with exp(Y) first, is from the map; or R from a rotation."""
-
-    def deviation(psi: Any, affine: Array) -> Number:
-        rotation, stretch = psi(mp, affine)
-        skewness = difference(rotation.T @ rotation, identity(mp, 3))
-        if skewness > 1e-9:
-            return skewness
-        turned = definitions.exponential(mp, cross_matrix(mp, so3.log(mp, rotation)))
-        stretched = definitions.exponential(mp, sym3.log(mp, stretch))
-        return distance(turned @ stretched if order > 0 else stretched @ turned, affine[:3, :3])
-
-    return deviation
-
-
 def _lengthened(turn: Number) -> Any:
     """The rotation vector lengthened k times by a turn."""
 
@@ -190,60 +154,10 @@ def _not_one_preimage(longer: Any, case: tuple[Array, int]) -> Number:
     return max(distance(affine, phi(mp, parameters)), difference(kaji_ochiai.parametrise(mp, affine), parameters))
 
 
-def _not_smooth(chart: Any, case: tuple[Array, Array]) -> Number:
-    """The difference between the derivatives of a chart at parameters, in a direction, from the left and the right."""
-    at, direction = case
-    with mp.workdps(240):
-        h = mp.mpf(10) ** -60
-        here, ahead, behind = (chart(mp, at + direction * t) for t in (mp.zero, h, -h))
-        # The difference of the one-sided quotients is h times the second derivative.
-        return max(size((ahead - here) / h - (here - behind) / h) - size(direction) ** 2 * 1000 * h, mp.zero)
-
-
-def _directions() -> list[tuple[Array, Array]]:
-    return list(zip(parameters_within_a_turn()[:6], arrays("directions", 6, (12,), -1, 1), strict=True))
-
-
-def _singular(chart: Any, omega: Array) -> int:
-    return int(abs(local_determinant(chart, omega)) < 1e-30)
-
-
-def _vectors(*lengths: Number) -> list[Array]:
-    directions = [exactly(each) for each in ([0, 1, 0], [1, 0, 0], [1, 2, 2])]
-    return [direction * (length / norm(mp, direction)) for length in lengths for direction in directions]
-
-
-def _rotation_vector(m: Context, omega: Array) -> Array:
-    return so3.exp(m, omega)
-
-
-def _euler_of_vector(m: Context, omega: Array) -> Array:
-    """Euler angles through the same numbers."""
-    return euler(m, omega)
-
-
 def _one_to_one(pair: tuple[Array, Array], _: None) -> int:
     """Whether two different elements of the algebra fail to have one exponential."""
     a, b = (definitions.exponential(mp, cross_matrix(mp, each)) for each in pair)
     return int(difference(a, b) > 1e-50 or difference(*pair) < 1)
-
-
-def _factors(stretch_first: bool = True) -> Any:
-    """The factors exp(X) and exp(Y) of the linear part that psi finds; or of L L^T."""
-
-    def factors(m: Context, affine: Array) -> tuple[Array, Array]:
-        of = affine if stretch_first else homogeneous(m, affine[:3, :3].T, affine[:3, 3])
-        parameters = kaji_ochiai.parametrise(m, of)
-        return so3.exp(m, parameters[3:6]), sym3.exp(m, symmetric(parameters[6:]))
-
-    return factors
-
-
-def _polar(m: Context, affine: Array) -> tuple[Array, Array]:
-    """The factors U V and V^T D V of L = U D V."""
-    u, d, v = m.svd_r(m.matrix(affine[:3, :3].tolist()))
-    rotation, stretch = u * v, v.T * m.diag(list(d)) * v
-    return array(rotation.tolist()), array(stretch.tolist())
 
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
@@ -313,21 +227,6 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         copies=(Copy("the segment from the identity to A", _path(-1)),),
     ),
     Claim(
-        id="kaji_ochiai.3.eq3.inverse",
-        place="section 3, equation 3",
-        statement="φ(ψ(A)) = A for every map of positive determinant.",
-        printed="ψ(A) = (ψ_L(A), log(ÂS⁻¹), log(S)), S = sqrt(ᵗÂÂ)",
-        verdict=Verdict.CONFIRMED,
-        form=_psi("LtL"),
-        cases=affine_maps,
-        deviation=_not_inverse(1),
-        copies=(
-            Copy("ÂᵗÂ for ᵗÂÂ, and S⁻¹Â for ÂS⁻¹: the factors of the other order", _psi("LLt", "left")),
-            Copy("ÂᵗÂ for ᵗÂÂ", _psi("LLt")),
-        ),
-        remark="It exists too where A itself has no logarithm, as for diag(-1, -2, 1).",
-    ),
-    Claim(
         id="kaji_ochiai.3.eq3.uniqueness",
         place="section 3, after equation 3",
         statement="Parameters of a map are unique up to whole turns about the axis of its rotation.",
@@ -338,54 +237,5 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         deviation=_not_one_preimage,
         copies=(Copy("half turns", _lengthened(mp.pi)),),
         remark="Where the rotation is the identity every axis will do: a sphere of rotation vectors for each turn.",
-    ),
-    Claim(
-        id="kaji_ochiai.3.condition_II",
-        place="section 3, condition (II)",
-        statement="φ is differentiable, also where eigenvalues of Y coincide.",
-        verdict=Verdict.CONFIRMED,
-        form=phi,
-        cases=_directions,
-        deviation=_not_smooth,
-        copies=(Copy("the absolute values of the entries of Y", _absolute),),
-    ),
-    Claim(
-        id="kaji_ochiai.3.condition_III",
-        place="sections 1 and 3, condition (III)",
-        statement="φ has a differentiable inverse round every value of its parameters: the differential is regular.",
-        printed="there exists a differentiable local inverse; the correspondence is differentiable in both ways",
-        verdict=Verdict.BOUND,
-        domain="rotation vectors that are not as long as 2π, 4π, ...; there exp is singular across the axis",
-        form=_rotation_vector,
-        cases=lambda: _vectors(mp.mpf("1e-5"), mp.pi / 2, mp.pi, 2 * mp.pi - mp.mpf("1e-5"), mp.mpf(7)),
-        outside=lambda: _vectors(2 * mp.pi, 4 * mp.pi),
-        deviation=_singular,
-        copies=(Copy("Euler angles, singular at a quarter turn about the second axis", _euler_of_vector),),
-        remark="So ψ by principal logarithms is differentiable for angles below π, and continues through π, but not "
-        "through 2π unless the axis stays.",
-    ),
-    Claim(
-        id="kaji_ochiai.3.remark_3.1.polar",
-        place="remark 3.1",
-        statement="exp(X) and exp(Y) are the factors of the polar decomposition: rotation and scale-shear.",
-        verdict=Verdict.CONFIRMED,
-        form=_factors(),
-        cases=lambda: [(each,) for each in affine_maps()],
-        deviation=equals(_polar),
-        copies=(Copy("those of the transposed linear part", _factors(stretch_first=False)),),
-    ),
-    Claim(
-        id="kaji_ochiai.3.remark_3.1.order",
-        place="remark 3.1",
-        statement="With the rotation first, A = L ι(exp(Y) exp(X)), equation 3 changes: S = sqrt(ÂᵗÂ), R = S⁻¹Â.",
-        printed="(3) would change accordingly",
-        verdict=Verdict.CONFIRMED,
-        form=_psi("LLt", "left"),
-        cases=affine_maps,
-        deviation=_not_inverse(-1),
-        copies=(
-            Copy("S = sqrt(ᵗÂÂ), as for the order of equation 2", _psi("LtL", "left")),
-            Copy("both factors as for the order of equation 2", _psi("LtL")),
-        ),
     ),
 )
