@@ -166,7 +166,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
             ),
         ),
         numbers=_table(LOGARITHMS, _logarithms, "generic", "identity"),
-        remark="Near I the logarithm is small and its error that of I: of 1e-8 no method keeps more than half.",
+        remark="Near I the logarithm is small and its error that of I: of 1e-8 none of the three keeps more than half.",
     ),
     Claim(
         id="kaji_ochiai.4.4.log.coinciding",

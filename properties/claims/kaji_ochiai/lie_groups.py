@@ -9,6 +9,7 @@ import numpy as np
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.kaji_ochiai.polar_factors import polar
 from affinecert.properties.claims.kaji_ochiai.subspaces import CLASSES, outside
 from affinecert.properties.claims.kaji_ochiai.symmetric_exponential import exponential
 from affinecert.properties.claims.kaji_ochiai.symmetric_logarithm import logarithm
@@ -16,7 +17,7 @@ from affinecert.properties.claims.precision import difference, equals, exactly, 
 from affinecert.properties.laws.subclasses import Subclass
 from affinecert.reference._existence import Logarithm
 from affinecert.reference._existence import logarithm as real_logarithm
-from affinecert.reference._matrices import Array, Context, Number, array
+from affinecert.reference._matrices import Array, Context, Number
 
 
 def _integer_maps() -> list[Array]:
@@ -54,11 +55,8 @@ def _orthogonal(matrix: Array) -> Array:
     """A rational orthogonal matrix, as a multiple of it by an integer, from Cayley's transform of three integers."""
     a, b, c = matrix
     unit, skew = np.eye(3, dtype=int).astype(object), np.array([[0, -c, b], [c, 0, -a], [-b, a, 0]], dtype=object)
-    squares = a * a + b * b + c * c
     # (I + K)(I - K)^-1 with (I - K)^-1 = (I + K + v v^T) / (1 + |v|^2).
-    product: Array = (unit + skew) @ (unit + skew + np.outer(matrix, matrix).astype(object))
-    assert difference(product.T @ product, unit * (1 + squares) ** 2) == 0
-    return product
+    return np.asarray((unit + skew) @ (unit + skew + np.outer(matrix, matrix).astype(object)))
 
 
 def _stretched(matrix: Array) -> Array:
@@ -116,12 +114,6 @@ def _by_closed_forms(half: int) -> Any:
         return rotation, exponential()(m, log_stretch)
 
     return factors
-
-
-def _polar(m: Context, linear: Array) -> tuple[Array, Array]:
-    """The factors U V and V^T D V of L = U D V."""
-    u, d, v = m.svd_r(m.matrix(linear.tolist()))
-    return array((u * v).tolist()), array((v.T * m.diag(list(d)) * v).tolist())
 
 
 def _linears() -> list[tuple[Array]]:
@@ -196,7 +188,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         verdict=Verdict.CONFIRMED,
         form=_by_closed_forms(2),
         cases=_linears,
-        deviation=equals(_polar),
+        deviation=equals(polar),
         copies=(Copy("log(ᵗÂÂ) for its half", _by_closed_forms(1)),),
         remark="In float64 for well conditioned maps only, and not for similarities: see section 4.4.",
     ),

@@ -9,21 +9,10 @@ import numpy as np
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.draws import arrays
-from affinecert.properties.claims.kaji_ochiai.other_parametrisations import (
-    partial_derivative,
-)
+from affinecert.properties.claims.kaji_ochiai.other_parametrisations import partial_derivative
 from affinecert.properties.claims.precision import difference, distance, equals, exactly, mp
 from affinecert.reference import kaji_ochiai
-from affinecert.reference._matrices import (
-    Array,
-    Context,
-    Number,
-    array,
-    cross_matrix,
-    homogeneous,
-    identity,
-    norm,
-)
+from affinecert.reference._matrices import Array, Context, Number, array, cross_matrix, homogeneous, identity, norm
 
 
 def skew(x: Array) -> Array:

@@ -9,16 +9,7 @@ from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.kaji_ochiai.parametrisation import affine_maps, symmetric
 from affinecert.properties.claims.precision import difference, distance, equals, mp
 from affinecert.reference import kaji_ochiai, so3, sym3
-from affinecert.reference._matrices import (
-    Array,
-    Context,
-    Number,
-    array,
-    cross_matrix,
-    homogeneous,
-    identity,
-    scalar,
-)
+from affinecert.reference._matrices import Array, Context, Number, array, cross_matrix, homogeneous, identity, scalar
 
 
 def _psi(gram: str, side: str = "right") -> Any:
@@ -60,9 +51,9 @@ def _factors(stretch_first: bool = True) -> Any:
     return factors
 
 
-def _polar(m: Context, affine: Array) -> tuple[Array, Array]:
+def polar(m: Context, linear: Array) -> tuple[Array, Array]:
     """The factors U V and V^T D V of L = U D V."""
-    u, d, v = m.svd_r(m.matrix(affine[:3, :3].tolist()))
+    u, d, v = m.svd_r(m.matrix(linear.tolist()))
     rotation, stretch = u * v, v.T * m.diag(list(d)) * v
     return array(rotation.tolist()), array(stretch.tolist())
 
@@ -90,7 +81,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         verdict=Verdict.CONFIRMED,
         form=_factors(),
         cases=lambda: [(each,) for each in affine_maps()],
-        deviation=equals(_polar),
+        deviation=equals(lambda m, affine: polar(m, affine[:3, :3])),
         copies=(Copy("those of the transposed linear part", _factors(stretch_first=False)),),
     ),
     Claim(

@@ -12,12 +12,9 @@ from affinecert.properties.claims.precision import difference, equals, exactly, 
 from affinecert.reference._matrices import Array, Context, Number, array, identity
 
 SIMPLE = ([[2, 0, 0], [0, 1, 0], [0, 0, 0]], [[0, 1, 0], [1, 0, 0], [0, 0, 3]], [[1, 2, 0], [2, 0, -1], [0, -1, 2]])
-
-
 DOUBLE = ([[1, 0, 0], [0, 1, 0], [0, 0, -1]], [[0, 1, 1], [1, 0, 1], [1, 1, 0]], [[0, -1, 1], [-1, 0, 1], [1, 1, 0]])
-
-
 TRIPLE = ([[0, 0, 0], [0, 0, 0], [0, 0, 0]], [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+"""Symmetric matrices by the multiplicity of their eigenvalues."""
 
 
 def spectrum(m: Context, matrix: Array) -> list[Number]:
