@@ -4,4 +4,48 @@ from __future__ import annotations
 
 from types import ModuleType
 
-CHAPTERS: tuple[ModuleType, ...] = ()
+from affinecert.properties.claims.kaji_ochiai import (
+    blending,
+    drawbacks,
+    float_accuracy,
+    interpolation_polynomials,
+    lie_groups,
+    matrix_functions,
+    other_parametrisations,
+    parametrisation,
+    plane_example,
+    polar_factors,
+    precursors,
+    rodrigues,
+    round_trips,
+    shape_blending,
+    shifted_polynomials,
+    smoothness,
+    subspaces,
+    symmetric_exponential,
+    symmetric_logarithm,
+    whole_turns,
+)
+
+CHAPTERS: tuple[ModuleType, ...] = (
+    plane_example,
+    other_parametrisations,
+    parametrisation,
+    polar_factors,
+    smoothness,
+    subspaces,
+    rodrigues,
+    symmetric_exponential,
+    symmetric_logarithm,
+    whole_turns,
+    float_accuracy,
+    round_trips,
+    blending,
+    shape_blending,
+    precursors,
+    lie_groups,
+    drawbacks,
+    matrix_functions,
+    interpolation_polynomials,
+    shifted_polynomials,
+)
