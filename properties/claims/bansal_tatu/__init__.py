@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from affinecert.properties.claims.bansal_tatu import rigid_exponential
+from affinecert.properties.claims.bansal_tatu import representation, rigid_exponential
 from affinecert.properties.claims.claim import Claim
 
-CLAIMS: tuple[Claim[Any, Any], ...] = (*rigid_exponential.CLAIMS,)
+CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *representation.CLAIMS,
+    *rigid_exponential.CLAIMS,
+)
