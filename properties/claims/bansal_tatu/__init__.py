@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
-from affinecert.properties.claims.bansal_tatu import representation, rigid_exponential
+from affinecert.properties.claims.bansal_tatu import (
+    alignment,
+    lie_groups,
+    product_group,
+    representation,
+    rigid_exponential,
+)
 from affinecert.properties.claims.claim import Claim
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *alignment.CLAIMS,
     *representation.CLAIMS,
+    *lie_groups.CLAIMS,
+    *product_group.CLAIMS,
     *rigid_exponential.CLAIMS,
 )
