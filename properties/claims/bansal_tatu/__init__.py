@@ -10,6 +10,7 @@ from affinecert.properties.claims.bansal_tatu import (
     product_group,
     representation,
     rigid_exponential,
+    uniqueness,
 )
 from affinecert.properties.claims.claim import Claim
 
@@ -18,5 +19,6 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *representation.CLAIMS,
     *lie_groups.CLAIMS,
     *product_group.CLAIMS,
+    *uniqueness.CLAIMS,
     *rigid_exponential.CLAIMS,
 )
