@@ -6,10 +6,12 @@ from typing import Any
 
 from affinecert.properties.claims.bansal_tatu import (
     alignment,
+    interpolation,
     lie_groups,
     product_group,
     representation,
     rigid_exponential,
+    steadiness,
     uniqueness,
 )
 from affinecert.properties.claims.claim import Claim
@@ -20,5 +22,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *lie_groups.CLAIMS,
     *product_group.CLAIMS,
     *uniqueness.CLAIMS,
+    *interpolation.CLAIMS,
+    *steadiness.CLAIMS,
     *rigid_exponential.CLAIMS,
 )
