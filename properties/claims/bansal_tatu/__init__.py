@@ -11,8 +11,10 @@ from affinecert.properties.claims.bansal_tatu import (
     product_group,
     representation,
     rigid_exponential,
+    smooth_curves,
     steadiness,
     uniqueness,
+    volume,
 )
 from affinecert.properties.claims.claim import Claim
 
@@ -24,5 +26,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *uniqueness.CLAIMS,
     *interpolation.CLAIMS,
     *steadiness.CLAIMS,
+    *volume.CLAIMS,
+    *smooth_curves.CLAIMS,
     *rigid_exponential.CLAIMS,
 )

@@ -33,7 +33,8 @@ def alignment(first: int = 1, second: int = 2, sign: int = 1) -> Any:
 def shear_to_canonical(w2: Array, w3: Array, second: tuple[int, int, int] = (1, 1, 0)) -> Array:
     """The matrix with e_1 -> e_1, w_2 -> (1, 1, 0), w_3 -> (0, 0, 1)."""
     images = array([exactly([1, 0, 0]), exactly(second), exactly([0, 0, 1])]).T
-    return images @ inverse(array([exactly([1, 0, 0]), w2, w3]).T)
+    result: Array = images @ inverse(array([exactly([1, 0, 0]), w2, w3]).T)
+    return result
 
 
 def _misaligned(rotation: Any, vertices: Array) -> Number:

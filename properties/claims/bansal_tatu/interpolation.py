@@ -45,7 +45,8 @@ def _by_factors(order: str) -> Path:
 
     def path(pose: Array, t: Number) -> Array:
         first, second, third = (powers(pose, t)["ASE".index(letter)] for letter in order)
-        return first @ second @ third
+        result: Array = first @ second @ third
+        return result
 
     return path
 
@@ -88,7 +89,8 @@ def straight_shear(pose: Array, t: Number) -> tuple[Array, Array, Array]:
 def multiplied(factors: tuple[Array, Array, Array]) -> Array:
     """The product of three."""
     first, second, third = factors
-    return first @ second @ third
+    result: Array = first @ second @ third
+    return result
 
 
 def _in_group(order: str = "pq") -> Between:

@@ -55,6 +55,17 @@ def off_group(group: str, matrix: Array) -> Number:
     return -min(matrix[0, 0], 0)
 
 
+def group_logarithm(group: str, element: Array) -> Array:
+    """The logarithm of an element of SE(3), G_A or G_S, as a matrix."""
+    if group == "SE(3)":
+        twist = se3.log(mp, element)
+        return tangent(mp, cross_matrix(mp, twist[:3]), twist[3:])
+    if group == "G_A":
+        return shear.matrix(mp, shear.log(mp, element), mp.zero)
+    result: Array = exactly([[mp.log(element[0, 0])]])
+    return result
+
+
 def _span(basis: Sequence[Array], matrices: Sequence[Array]) -> int:
     """By how much the rank of a basis grows with more matrices."""
     rows = [np.array(each.astype(float)).ravel() for each in basis]
@@ -76,7 +87,8 @@ def _in_space(group: str, matrix: Array) -> Array:
     if group == "SE(3)":
         return matrix
     linear = matrix if group == "G_A" else identity(mp, 3) * matrix[0, 0]
-    return embedded(linear) - unit_matrix(4, 3, 3)
+    result: Array = embedded(linear) - unit_matrix(4, 3, 3)
+    return result
 
 
 def _twelve(bases: Basis, _: None) -> int:

@@ -41,7 +41,8 @@ def _composed(order: str) -> Any:
     def product(rigid: Array, shear: Array, scale: Number) -> Array:
         factors = {"A": embedded(shear), "S": scaling(scale), "E": rigid}
         first, second, third = (factors[letter] for letter in order)
-        return first @ second @ third
+        result: Array = first @ second @ third
+        return result
 
     return product
 

@@ -38,11 +38,13 @@ Parts = tuple[Array, Array, Number]
 
 def _quotient(source: Array, target: Array) -> Array:
     """Y X^-1 of the matrices of homogeneous vertices."""
-    return columns(target) @ inverse(columns(source))
+    result: Array = columns(target) @ inverse(columns(source))
+    return result
 
 
 def _swapped_quotient(source: Array, target: Array) -> Array:
-    return inverse(columns(source)) @ columns(target)
+    result: Array = inverse(columns(source)) @ columns(target)
+    return result
 
 
 def _not_the_map(find: Callable[[Array, Array], Array], pair: tuple[Array, Array]) -> Number:
