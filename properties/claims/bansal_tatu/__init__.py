@@ -6,8 +6,10 @@ from typing import Any
 
 from affinecert.properties.claims.bansal_tatu import (
     alignment,
+    canonical_tetrahedron,
     interpolation,
     lie_groups,
+    orderings,
     product_group,
     representation,
     rigid_exponential,
@@ -28,5 +30,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *steadiness.CLAIMS,
     *volume.CLAIMS,
     *smooth_curves.CLAIMS,
+    *canonical_tetrahedron.CLAIMS,
+    *orderings.CLAIMS,
     *rigid_exponential.CLAIMS,
 )
