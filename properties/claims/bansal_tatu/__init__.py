@@ -10,6 +10,7 @@ from affinecert.properties.claims.bansal_tatu import (
     interpolation,
     lie_groups,
     orderings,
+    path_deviation,
     product_group,
     representation,
     rigid_exponential,
@@ -32,5 +33,6 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *smooth_curves.CLAIMS,
     *canonical_tetrahedron.CLAIMS,
     *orderings.CLAIMS,
+    *path_deviation.CLAIMS,
     *rigid_exponential.CLAIMS,
 )

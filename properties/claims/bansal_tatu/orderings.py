@@ -15,6 +15,7 @@ from affinecert.properties.claims.bansal_tatu.samples import (
     affine,
     at,
     between,
+    embedded,
     inverse,
     maps,
     moved,
@@ -24,7 +25,7 @@ from affinecert.properties.claims.bansal_tatu.samples import (
 )
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.precision import difference, distance, mp
-from affinecert.reference import affine_lie, measures, sam, se3
+from affinecert.reference import affine_lie, measures, sam, se3, shear
 from affinecert.reference._matrices import Array, Number, array
 
 Order = tuple[int, ...]
@@ -73,6 +74,23 @@ def _by_sam(source: Array, target: Array, t: Number) -> Array:
     """The steady morphs of the simplices that begin with each of the vertices."""
     poses = [sam.power(mp, between(source[list(order)], target[list(order)]), at(t)) for order in affine_lie.ORDERINGS]
     return np.array(poses)
+
+
+def _literally(source: Array, target: Array, t: Number) -> Array:
+    """The products of the powers of the factors of p^-1 q, as section 5.2.2 prints them."""
+    found = []
+    for order in map(list, affine_lie.ORDERINGS):
+        p, q = (affine_lie.represent(mp, each[order], CANONICAL) for each in (source, target))
+        rigid = se3.exp(mp, se3.log(mp, inverse(p[0]) @ q[0]) * t)
+        upper = shear.log(mp, shear.exp(mp, -shear.log(mp, p[1])) @ q[1])
+        found.append(embedded(shear.exp(mp, upper * t)) @ scaling((q[2][()] / p[2][()]) ** t) @ rigid)
+    return np.array(found)
+
+
+def _off_target(paths: Paths, case: tuple[Array, Array]) -> Number:
+    """How far the maps at t = 1 are from the affine map to the target."""
+    pose, source = case
+    return max(distance(each, pose) for each in paths(source, moved(pose, source), mp.one))
 
 
 def _apart(paths: Paths, case: tuple[Array, Array]) -> Number:
@@ -226,6 +244,22 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         copies=(Copy("the interpolant of a tetrahedron twice as large", lambda p, q, t: _by_lie(p, 2 * q, t)),),
         numbers=_doubled,
         remark="The shapes are the same up to translation; their places differ.",
+    ),
+    Claim(
+        id="bansal_tatu.5.2.2.paths",
+        place="section 5.2.2",
+        statement="The interpolated maps of an ordering O are exp(t log A_O) exp(t log S_O) exp(t log E_O), with the "
+        "factors of p_O⁻¹q_O: so at t = 1 they are the map to the target.",
+        printed="T_t^O = exp(t log A_O) exp(t log S_O) exp(t log E_O)",
+        verdict=Verdict.REFUTED,
+        fault=Fault.MATHEMATICAL,
+        form=_literally,
+        cases=_sheared,
+        deviation=_off_target,
+        correction=Correction(
+            statement="T_t^O is the affine map from the source to the tetrahedron of equation 4", form=_by_lie
+        ),
+        remark="Were A_O, S_O, E_O the factors of T, they would be the same for all orderings (Theorem 1), and u = 0.",
     ),
     Claim(
         id="bansal_tatu.5.2.2.dependence",
