@@ -12,10 +12,12 @@ from affinecert.properties.claims.bansal_tatu import (
     orderings,
     path_deviation,
     product_group,
+    relative_acceleration,
     representation,
     rigid_exponential,
     smooth_curves,
     steadiness,
+    steady_existence,
     uniqueness,
     volume,
 )
@@ -33,6 +35,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *smooth_curves.CLAIMS,
     *canonical_tetrahedron.CLAIMS,
     *orderings.CLAIMS,
+    *steady_existence.CLAIMS,
+    *relative_acceleration.CLAIMS,
     *path_deviation.CLAIMS,
     *rigid_exponential.CLAIMS,
 )
