@@ -7,6 +7,7 @@ from typing import Any
 from affinecert.properties.claims.bansal_tatu import (
     alignment,
     canonical_tetrahedron,
+    extrapolation,
     interpolation,
     lie_groups,
     orderings,
@@ -37,6 +38,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
     *orderings.CLAIMS,
     *steady_existence.CLAIMS,
     *relative_acceleration.CLAIMS,
+    *extrapolation.CLAIMS,
     *path_deviation.CLAIMS,
     *rigid_exponential.CLAIMS,
 )
