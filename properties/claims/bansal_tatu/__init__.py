@@ -5,12 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.bansal_tatu import (
+    affine_group,
     alignment,
+    blending,
     canonical_tetrahedron,
+    decompositions,
     extrapolation,
     interpolation,
     lie_groups,
     orderings,
+    other_representations,
     path_deviation,
     product_group,
     relative_acceleration,
@@ -25,6 +29,10 @@ from affinecert.properties.claims.bansal_tatu import (
 from affinecert.properties.claims.claim import Claim
 
 CLAIMS: tuple[Claim[Any, Any], ...] = (
+    *affine_group.CLAIMS,
+    *decompositions.CLAIMS,
+    *blending.CLAIMS,
+    *other_representations.CLAIMS,
     *alignment.CLAIMS,
     *representation.CLAIMS,
     *lie_groups.CLAIMS,

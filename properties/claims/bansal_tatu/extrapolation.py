@@ -189,8 +189,8 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         outside=_across,
         deviation=_unlike_sam,
         copies=(Copy("polar factors and logarithms", morph("polar_exponential")),),
-        remark="E being the shift by d and A = I + N, N² = 0: by SAM the origin goes to t d + t (t + 1) N d / 2, by the "
-        "other to t d + t² N d.",
+        remark="E being the shift by d, and A = I + N, N² = 0: by SAM the origin goes to t d + t (t + 1) N d / 2, by "
+        "the other to t d + t² N d.",
     ),
     Claim(
         id="bansal_tatu.6.2.translation_differs",
