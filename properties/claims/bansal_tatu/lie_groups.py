@@ -73,9 +73,7 @@ def _coordinates(group: str, matrix: Array) -> Number:
 def _not_integral(curve: Callable[[Array, Number], Array], case: tuple[str, Array]) -> Number:
     """How far γ' is from γ X, the left-invariant field."""
     _, x = case
-    return max(
-        distance(definitions.derivative(mp, lambda s: curve(x, s), t), curve(x, t) @ x) for t in (mp.one, *TIMES)
-    )
+    return max(distance(definitions.derivative(mp, lambda s: curve(x, s), t), curve(x, t) @ x) for t in TIMES)
 
 
 def _first_variation(metric: Callable[[Array, Array], Number], case: tuple[Array, Sequence[Array]]) -> Number:

@@ -166,15 +166,16 @@ def _composed(order: str) -> Callable[[Number], Array]:
     return point
 
 
-def _off_key(curve: Callable[[Number], Array], key: int) -> Number:
-    return distance(curve(mp.mpf(key)), maps()[4 + key])
+def _off_key(curve: Callable[[Number], Array], case: tuple[int, Array]) -> Number:
+    number, key = case
+    return distance(curve(mp.mpf(number)), key)
 
 
 @cache
 def _excess(curve: Callable[..., Array]) -> Number:
     """By how much a curve through five maps is longer than the chords between them, in the space of their entries."""
     keys = array(maps()[4:9])
-    points = [curve(mp, keys, at(mp.mpf(k) / 32)) for k in range(32 * 4 + 1)]
+    points = [curve(mp, keys, at(mp.mpf(k) / 16)) for k in range(16 * 4 + 1)]
     chords, length = (
         mp.fsum(norm(mp, (after - before).flat) for before, after in pairwise(poses)) for poses in (keys, points)
     )
@@ -239,7 +240,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         verdict=Verdict.REFUTED,
         fault=Fault.SLIP,
         form=_composed("ESA"),
-        cases=lambda: [0, 1, 2, 3],
+        cases=lambda: list(enumerate(maps()[4:8])),
         deviation=_off_key,
         correction=Correction(statement="N^A(t) N^S(t) N^SE(3)(t), as T_i = A_i S_i E_i", form=_composed("ASE")),
         copies=(Copy("N^A N^SE(3) N^S", _composed("AES")),),
