@@ -8,7 +8,7 @@ import numpy as np
 
 from affinecert.properties.claims.precision import exactly, mp
 from affinecert.reference import so3
-from affinecert.reference._matrices import Array, Number, array
+from affinecert.reference._matrices import Array, Number, array, homogeneous
 
 STEP = 16
 """Drawn numbers are multiples of 1/16."""
@@ -37,3 +37,8 @@ def plane_rotation(angle: Number) -> Array:
     """The rotation of the plane by an angle, (2, 2)."""
     cosine, sine = mp.cos(angle), mp.sin(angle)
     return array([[cosine, -sine], [sine, cosine]])
+
+
+def affine(linear: Any, translation: Any = None) -> Array:
+    """The homogeneous matrix of a linear part and a translation, by default none; nested sequences of numbers."""
+    return homogeneous(mp, exactly(linear), exactly([0] * len(linear) if translation is None else translation))

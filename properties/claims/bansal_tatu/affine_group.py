@@ -6,8 +6,9 @@ from collections.abc import Callable
 from typing import Any
 
 from affinecert.properties.claims import definitions
-from affinecert.properties.claims.bansal_tatu.samples import HALF_TURN, QUARTER_TURN, affine, inverse, maps
+from affinecert.properties.claims.bansal_tatu.samples import HALF_TURN, QUARTER_TURN, inverse, maps
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import difference, exactly, mp, size
 from affinecert.reference._matrices import Array, Number, homogeneous, identity
 

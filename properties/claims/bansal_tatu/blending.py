@@ -6,15 +6,9 @@ from collections.abc import Callable
 from typing import Any
 
 from affinecert.properties.claims import definitions
-from affinecert.properties.claims.bansal_tatu.samples import (
-    HALF_TURN,
-    TIMES,
-    affine,
-    at,
-    rigid_maps,
-)
+from affinecert.properties.claims.bansal_tatu.samples import HALF_TURN, TIMES, at, rigid_maps
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import HOLDS, difference, exactly, mp, size
 from affinecert.reference import morphs, quaternion, so3
 from affinecert.reference._matrices import Array, Context, Number, array, identity, norm

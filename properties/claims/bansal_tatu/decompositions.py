@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from affinecert.properties.claims.bansal_tatu.interpolation import Path, lie, morph
-from affinecert.properties.claims.bansal_tatu.samples import QUARTER_TURN, TIMES, affine, at, maps, rigid_maps
+from affinecert.properties.claims.bansal_tatu.samples import QUARTER_TURN, TIMES, at, maps, rigid_maps
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import difference, distance, exactly, mp, size
 from affinecert.reference import morphs, polar
 from affinecert.reference._alignment import align_edges

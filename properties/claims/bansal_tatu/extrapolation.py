@@ -7,9 +7,9 @@ from itertools import combinations, pairwise
 from typing import Any
 
 from affinecert.properties.claims.bansal_tatu.interpolation import Path, lie, morph, sam_power
-from affinecert.properties.claims.bansal_tatu.samples import QUARTER_TURN, REGULAR, affine, at, maps, moved
+from affinecert.properties.claims.bansal_tatu.samples import QUARTER_TURN, REGULAR, at, maps, moved
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
-from affinecert.properties.claims.draws import rotations
+from affinecert.properties.claims.draws import affine, rotations
 from affinecert.properties.claims.precision import distance, exactly, mp, size
 from affinecert.reference import morphs
 from affinecert.reference._matrices import Array, Number, norm

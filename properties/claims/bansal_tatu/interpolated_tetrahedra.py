@@ -11,7 +11,6 @@ from affinecert.properties.claims.bansal_tatu.samples import (
     HALF_TURN,
     REGULAR,
     TIMES,
-    affine,
     at,
     between,
     embedded,
@@ -23,6 +22,7 @@ from affinecert.properties.claims.bansal_tatu.samples import (
     tetrahedron_pairs,
 )
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import difference, distance, exactly, mp
 from affinecert.reference import affine_lie, se3, shear
 from affinecert.reference._matrices import Array, Number

@@ -6,17 +6,9 @@ from collections.abc import Callable
 from typing import Any
 
 from affinecert.errors import InputError
-from affinecert.properties.claims.bansal_tatu.samples import (
-    HALF_TURN,
-    TIMES,
-    affine,
-    at,
-    embedded,
-    maps,
-    rigid_maps,
-    scaling,
-)
+from affinecert.properties.claims.bansal_tatu.samples import HALF_TURN, TIMES, at, embedded, maps, rigid_maps, scaling
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import difference, distance, mp, size
 from affinecert.reference import affine_lie, morphs, sam, se3, shear
 from affinecert.reference._matrices import Array, Number, identity

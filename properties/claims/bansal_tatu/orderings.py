@@ -12,7 +12,6 @@ from affinecert.properties.claims import definitions
 from affinecert.properties.claims.bansal_tatu.samples import (
     CANONICAL,
     REGULAR,
-    affine,
     at,
     between,
     embedded,
@@ -23,6 +22,7 @@ from affinecert.properties.claims.bansal_tatu.samples import (
     tetrahedra,
 )
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import difference, distance, mp
 from affinecert.reference import affine_lie, sam, se3, shear
 from affinecert.reference._matrices import Array, Number

@@ -7,16 +7,9 @@ from typing import Any
 
 from affinecert.errors import InputError
 from affinecert.properties.claims import definitions
-from affinecert.properties.claims.bansal_tatu.samples import (
-    CANONICAL,
-    affine,
-    at,
-    between,
-    maps,
-    moved,
-)
+from affinecert.properties.claims.bansal_tatu.samples import CANONICAL, at, between, maps, moved
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import HOLDS, difference, distance, exactly, mp, size
 from affinecert.reference import affine_lie, morphs
 from affinecert.reference._matrices import Array, Context, Number, array, cross, homogeneous, identity, norm

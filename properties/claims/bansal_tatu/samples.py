@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 
 from affinecert.properties.claims import definitions
-from affinecert.properties.claims.draws import arrays, rotations
+from affinecert.properties.claims.draws import affine, arrays, rotations
 from affinecert.properties.claims.precision import exactly, mp
 from affinecert.reference._matrices import Array, Number, array, homogeneous, identity, scalar
 
@@ -19,11 +19,6 @@ REGULAR: Array = exactly([[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]])
 
 TIMES = (mp.mpf(1) / 4, mp.mpf(5) / 8)
 """Times within (0, 1) that are no special ones."""
-
-
-def affine(linear: object, translation: object = (0, 0, 0)) -> Array:
-    """The homogeneous matrix of short numbers."""
-    return homogeneous(mp, exactly(linear), exactly(translation))
 
 
 QUARTER_TURN: Array = exactly([[0, -1, 0], [1, 0, 0], [0, 0, 1]])

@@ -14,15 +14,9 @@ from affinecert.properties.claims.bansal_tatu.interpolation import (
     sam_power,
     straight_shear,
 )
-from affinecert.properties.claims.bansal_tatu.samples import (
-    QUARTER_TURN,
-    TIMES,
-    affine,
-    maps,
-    rigid_maps,
-    scaling,
-)
+from affinecert.properties.claims.bansal_tatu.samples import QUARTER_TURN, TIMES, maps, rigid_maps, scaling
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import distance, exactly, mp, size
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Number

@@ -7,8 +7,9 @@ from typing import Any
 
 from affinecert.errors import InputError
 from affinecert.properties.claims.bansal_tatu.interpolation import Path, lie, sam_power
-from affinecert.properties.claims.bansal_tatu.samples import QUARTER_TURN, affine
+from affinecert.properties.claims.bansal_tatu.samples import QUARTER_TURN
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import exactly, mp
 from affinecert.reference._matrices import Array, Number, norm
 

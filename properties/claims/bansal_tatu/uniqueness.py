@@ -12,7 +12,6 @@ from affinecert.properties.claims.bansal_tatu.samples import (
     CANONICAL,
     HALF_TURN,
     TIMES,
-    affine,
     at,
     between,
     columns,
@@ -27,7 +26,7 @@ from affinecert.properties.claims.bansal_tatu.samples import (
     tetrahedron_pairs,
 )
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import difference, distance, exactly, mp, size
 from affinecert.reference import affine_lie, polar, se3, shear, so3
 from affinecert.reference._matrices import Array, Number, homogeneous, norm

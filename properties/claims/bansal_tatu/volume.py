@@ -7,9 +7,9 @@ from typing import Any
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.bansal_tatu.interpolation import Path, lie, morph, sam_power
-from affinecert.properties.claims.bansal_tatu.samples import TIMES, affine, maps, rigid_maps
+from affinecert.properties.claims.bansal_tatu.samples import TIMES, maps, rigid_maps
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import mp, size
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Number, homogeneous, identity

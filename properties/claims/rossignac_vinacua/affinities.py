@@ -9,9 +9,8 @@ import numpy as np
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import difference, distance, equals, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.pose_pairs import affine
 from affinecert.reference._matrices import Array, Context, Number, array, dot, identity
 
 

@@ -9,9 +9,9 @@ from typing import Any
 from affinecert.errors import InputError
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.definitions import derivative, inverse
-from affinecert.properties.claims.draws import arrays, numbers
+from affinecert.properties.claims.draws import affine, arrays, numbers
 from affinecert.properties.claims.precision import FAILS, distance, mp
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, controls, morph
+from affinecert.properties.claims.rossignac_vinacua.poses import controls, morph
 from affinecert.reference import curves, sam
 from affinecert.reference._matrices import Array, Number, array, homogeneous, identity, scalar, tangent
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import plane_rotation
+from affinecert.properties.claims.draws import affine, plane_rotation
 from affinecert.properties.claims.precision import HOLDS, distance, exactly, mp, rounded, size
 from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     QUARTER,
     Morph,
     Pair,
-    affine,
     at,
     general_pairs,
     steady,

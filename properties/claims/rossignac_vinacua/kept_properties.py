@@ -6,10 +6,10 @@ from typing import Any
 
 from affinecert.errors import InputError
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
-from affinecert.properties.claims.draws import plane_rotation, rotations
+from affinecert.properties.claims.draws import affine, plane_rotation, rotations
 from affinecert.properties.claims.precision import difference, exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.listings import power
-from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import TIMES, affine, by, steady_motion
+from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import TIMES, by, steady_motion
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Number, cross, homogeneous, identity
 

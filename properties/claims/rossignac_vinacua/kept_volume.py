@@ -8,9 +8,9 @@ import numpy as np
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import equals, exactly, mp
-from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import TIMES, affine, by, steady_motion
+from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import TIMES, by, steady_motion
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Context, Number
 

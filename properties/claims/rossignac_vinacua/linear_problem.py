@@ -6,9 +6,9 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Loss, Verdict
 from affinecert.properties.claims.definitions import exponential
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import distance, equals, mp
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines, power
+from affinecert.properties.claims.rossignac_vinacua.poses import affines, power
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Context, Number, array
 

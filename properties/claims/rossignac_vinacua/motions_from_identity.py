@@ -4,22 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 from affinecert.properties.claims import definitions
-from affinecert.properties.claims.precision import distance, exactly, mp
+from affinecert.properties.claims.draws import affine
+from affinecert.properties.claims.precision import distance, mp
 from affinecert.properties.claims.rossignac_vinacua.listings import Motion, local_velocity, power
 from affinecert.reference import morphs
-from affinecert.reference._matrices import Array, Number, homogeneous, identity, scalar
+from affinecert.reference._matrices import Array, Number, identity, scalar
 
 TIMES = tuple(mp.mpf(k) / 4 for k in (0, 1, 3, 4))
-
-
-def affine(linear: Any, translation: Any) -> Array:
-    """The homogeneous matrix."""
-    return homogeneous(mp, exactly(linear), exactly(translation))
 
 
 def maps() -> list[Array]:

@@ -8,8 +8,9 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.definitions import inverse
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import FAILS, distance, mp
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, controls, morph
+from affinecert.properties.claims.rossignac_vinacua.poses import controls, morph
 from affinecert.reference._matrices import Array, Number, identity
 
 _Corners = tuple[Array, Array, Array, Array]

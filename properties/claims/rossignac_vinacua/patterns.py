@@ -11,9 +11,9 @@ import numpy as np
 
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.definitions import inverse
-from affinecert.properties.claims.draws import plane_rotation
+from affinecert.properties.claims.draws import affine, plane_rotation
 from affinecert.properties.claims.precision import distance, exactly, mp
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines, controls, morph, power
+from affinecert.properties.claims.rossignac_vinacua.poses import affines, controls, morph, power
 from affinecert.reference import morphs
 from affinecert.reference._matrices import Array, Context, Number, array, identity, scalar
 

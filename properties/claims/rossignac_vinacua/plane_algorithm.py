@@ -7,8 +7,9 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Loss, Verdict
 from affinecert.properties.claims.definitions import determinant, eigenvalues
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import distance, equals, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines
+from affinecert.properties.claims.rossignac_vinacua.poses import affines
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Context, Number, array, identity, tangent
 

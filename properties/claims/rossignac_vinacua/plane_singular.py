@@ -8,9 +8,9 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.definitions import eigenvalues, exponential, inverse
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import distance, equals, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines, power
+from affinecert.properties.claims.rossignac_vinacua.poses import affines, power
 from affinecert.reference._matrices import Array, Context, Number, array, homogeneous, identity, tangent
 
 

@@ -8,16 +8,9 @@ import numpy as np
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import numbers, plane_rotation, rotations
+from affinecert.properties.claims.draws import affine, numbers, plane_rotation, rotations
 from affinecert.properties.claims.precision import HOLDS, difference, distance, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
-    Morph,
-    Pair,
-    affine,
-    at,
-    general_pairs,
-    unit,
-)
+from affinecert.properties.claims.rossignac_vinacua.pose_pairs import Morph, Pair, at, general_pairs, unit
 from affinecert.reference import morphs, polar
 from affinecert.reference._matrices import Array, Context, Number, array, cross_matrix, identity, norm
 

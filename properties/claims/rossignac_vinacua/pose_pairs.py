@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from affinecert.errors import InputError
-from affinecert.properties.claims.draws import arrays, rotations
-from affinecert.properties.claims.precision import distance, exactly, mp
+from affinecert.properties.claims.draws import affine, arrays, rotations
+from affinecert.properties.claims.precision import distance, mp
 from affinecert.properties.matrix.laws import LAWS
 from affinecert.properties.matrix.motion import Motion
 from affinecert.reference import morphs, sam
@@ -50,11 +50,6 @@ unsteadiness = law("steady")
 def unlike_steady(morph: Morph, pair: Pair) -> Number:
     """How far a morph between two poses is from the steady one."""
     return max(distance(at(morph, pair, t), at(steady, pair, t)) for t in (1, 0.5, 0.25))
-
-
-def affine(linear: Any, translation: Any) -> Array:
-    """The homogeneous matrix of a linear part and a translation of short numbers."""
-    return homogeneous(mp, exactly(linear), exactly(translation))
 
 
 def unit(dimension: int) -> Array:

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from affinecert.properties.claims.definitions import determinant
-from affinecert.properties.claims.draws import arrays
-from affinecert.properties.claims.precision import exactly, mp
+from affinecert.properties.claims.draws import affine, arrays
+from affinecert.properties.claims.precision import mp
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Context, Number, homogeneous, identity, scalar
-
-
-def affine(linear: Any, translation: Any) -> Array:
-    """The homogeneous matrix of a linear part and a translation, given as nested sequences of numbers."""
-    return homogeneous(mp, exactly(linear), exactly(translation))
 
 
 def affines(name: str, count: int, size: int = 2) -> list[Array]:

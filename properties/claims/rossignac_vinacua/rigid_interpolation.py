@@ -8,9 +8,9 @@ import numpy as np
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Loss, Verdict
-from affinecert.properties.claims.draws import plane_rotation, rotations
+from affinecert.properties.claims.draws import affine, plane_rotation, rotations
 from affinecert.properties.claims.precision import HOLDS, equals, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.pose_pairs import affine, rigid_pairs, unlike_steady
+from affinecert.properties.claims.rossignac_vinacua.pose_pairs import rigid_pairs, unlike_steady
 from affinecert.properties.matrix.algebra import inverse
 from affinecert.reference import morphs, sam, so3
 from affinecert.reference._matrices import Array, Context, Number, array, dot, homogeneous, identity, norm, scalar

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import HOLDS, exactly, mp
-from affinecert.properties.claims.rossignac_vinacua.pose_pairs import Morph, Pair, affine, at, rigid_pairs, steady, unit
+from affinecert.properties.claims.rossignac_vinacua.pose_pairs import Morph, Pair, at, rigid_pairs, steady, unit
 from affinecert.reference import morphs
 from affinecert.reference._matrices import Array, Number, norm
 from affinecert.reference.measures import average_relative_acceleration

@@ -9,9 +9,9 @@ import numpy as np
 
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
 from affinecert.properties.claims.definitions import determinant, inverse
-from affinecert.properties.claims.draws import arrays, numbers
+from affinecert.properties.claims.draws import affine, arrays, numbers
 from affinecert.properties.claims.precision import equals, exactly, mp, size
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines, power
+from affinecert.properties.claims.rossignac_vinacua.poses import affines, power
 from affinecert.properties.claims.rossignac_vinacua.space import null, turned
 from affinecert.reference._matrices import Array, Context, Number, array, cross, homogeneous, identity
 

@@ -9,13 +9,12 @@ import numpy as np
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import HOLDS, difference, distance, exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     QUARTER,
     Morph,
     Pair,
-    affine,
     at,
     general_pairs,
     law,

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from affinecert.properties.claims.claim import Claim, Copy, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import HOLDS, distance, exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     QUARTER,
     Morph,
     Pair,
-    affine,
     at,
     general_pairs,
     steady,

@@ -7,12 +7,11 @@ from typing import Any
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
-from affinecert.properties.claims.draws import plane_rotation, rotations
+from affinecert.properties.claims.draws import affine, plane_rotation, rotations
 from affinecert.properties.claims.precision import exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.pose_pairs import (
     Morph,
     Pair,
-    affine,
     at,
     general_pairs,
     law,

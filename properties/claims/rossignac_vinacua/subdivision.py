@@ -9,8 +9,9 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.definitions import inverse
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import FAILS, distance, mp
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines, congruent, controls, morph, power
+from affinecert.properties.claims.rossignac_vinacua.poses import affines, congruent, controls, morph, power
 from affinecert.properties.claims.rossignac_vinacua.predictions import Left, left, towards_c
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Number, array, homogeneous, identity, norm

@@ -7,9 +7,9 @@ from typing import Any
 
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
 from affinecert.properties.claims.definitions import derivative, inverse
-from affinecert.properties.claims.draws import arrays
+from affinecert.properties.claims.draws import affine, arrays
 from affinecert.properties.claims.precision import FAILS, distance, equals, exactly, mp
-from affinecert.properties.claims.rossignac_vinacua.poses import affine, affines, controls
+from affinecert.properties.claims.rossignac_vinacua.poses import affines, controls
 from affinecert.reference import curves, morphs, sam
 from affinecert.reference._matrices import Array, Context, Number, array, cross, scalar
 

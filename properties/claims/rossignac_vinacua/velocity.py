@@ -7,11 +7,11 @@ from typing import Any
 from affinecert.errors import InputError
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Correction, Fault, Verdict
+from affinecert.properties.claims.draws import affine
 from affinecert.properties.claims.precision import difference, distance, exactly, mp, size
 from affinecert.properties.claims.rossignac_vinacua.listings import power
 from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import (
     TIMES,
-    affine,
     all_maps,
     by,
     change_of_field,

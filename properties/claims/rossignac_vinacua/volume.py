@@ -7,16 +7,10 @@ from typing import Any
 
 from affinecert.properties.claims import definitions
 from affinecert.properties.claims.claim import Claim, Copy, Loss, Verdict
-from affinecert.properties.claims.draws import plane_rotation
+from affinecert.properties.claims.draws import affine, plane_rotation
 from affinecert.properties.claims.precision import equals, exactly, mp
 from affinecert.properties.claims.rossignac_vinacua.listings import power
-from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import (
-    affine,
-    by,
-    maps,
-    singular_maps,
-    steady_motion,
-)
+from affinecert.properties.claims.rossignac_vinacua.motions_from_identity import by, maps, singular_maps, steady_motion
 from affinecert.reference import sam
 from affinecert.reference._matrices import Array, Context, Number, homogeneous
 
