@@ -6,12 +6,14 @@ import importlib
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any
 
 from affinecert.errors import SubjectError, UnknownNameError
 
-BUILT_IN = ("fast", "reference", "printed", "scipy")
+GROUP = "affinecert.subjects"
+"""The group of entry points that names subjects: affinecert's own, and those of other packages."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +36,23 @@ class Subject:
     policies: Mapping[str, str] = field(default_factory=dict)
 
 
+def named() -> Mapping[str, EntryPoint]:
+    """The subjects that have names: entry points ``module:attribute``, with the extra that installs what they need."""
+    return {entry.name: entry for entry in entry_points(group=GROUP)}
+
+
 def load(spec: str) -> Subject:
-    """The built-in subject of that name, or the one at ``module:attribute`` (the working folder is searched too)."""
-    if ":" not in spec and spec not in BUILT_IN:
-        raise UnknownNameError("subject", spec, (*BUILT_IN, "module:attribute"))
-    place = spec if ":" in spec else f"affinecert.subjects.{spec}:subject"
+    """The subject of that name, or the one at ``module:attribute`` (the working folder is searched too).
+
+    Raises UnknownNameError or SubjectError.
+    """
+    place, hint = spec, ""
+    if ":" not in spec:
+        known = named()
+        if spec not in known:
+            raise UnknownNameError("subject", spec, (*known, "module:attribute"))
+        place = f"{known[spec].module}:{known[spec].attr}"
+        hint = "".join(f"; pip install 'affinecert[{extra}]' installs what it needs" for extra in known[spec].extras)
     module_name, _, attribute = place.partition(":")
     here = str(Path.cwd())
     if here not in sys.path:
@@ -46,7 +60,6 @@ def load(spec: str) -> Subject:
     try:
         module = importlib.import_module(module_name)
     except ImportError as error:
-        hint = "" if ":" in spec else f"; an extra installs what it needs: pip install 'affinecert[{spec}]'"
         raise SubjectError(f"cannot import the subject {spec!r}: {error}{hint}") from error
     except Exception as error:
         raise SubjectError(f"importing the subject {spec!r} raised {type(error).__name__}: {error}") from error

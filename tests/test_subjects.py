@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from functools import cache
+from importlib.metadata import EntryPoint
 
 import numpy as np
 import pytest
 
+from affinecert import subject as subject_module
 from affinecert.answering import answers
 from affinecert.case import Case, generate
 from affinecert.catalogue import CATALOGUE
 from affinecert.errors import SubjectError, UnknownNameError
 from affinecert.judging import judge, truths_of
 from affinecert.scoring import Verdict
-from affinecert.subject import BUILT_IN, Subject, load
+from affinecert.subject import GROUP, Subject, load, named
 from affinecert.subjects.scipy import subject as scipy_subject
 from affinecert.tier import batches
 
@@ -32,12 +34,30 @@ def verdicts(subject: Subject) -> list[tuple[str, str]]:
     return [(result.verdict, result.note) for result in judge(subject, rotations(), truths_of(rotations()))]
 
 
-@pytest.mark.parametrize("name", BUILT_IN)
-def test_built_in_subjects_are_loaded_by_name_and_offer_maps_of_the_catalogue(name: str) -> None:
-    subject = load(name)
+OWN = sorted(name for name, entry in named().items() if entry.module.startswith("affinecert.subjects."))
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_our_subjects_are_loaded_by_name_and_offer_maps_of_the_catalogue(name: str) -> None:
+    try:
+        subject = load(name)
+    except SubjectError as error:
+        assert f"pip install 'affinecert[{named()[name].extras[0]}]' installs what it needs" in str(error)
+        pytest.skip("its library is not installed")
     assert subject.name == name
     assert subject.version
     assert set(subject.maps) <= set(CATALOGUE)
+
+
+def test_other_packages_bring_their_subjects(monkeypatch: pytest.MonkeyPatch) -> None:
+    theirs = EntryPoint("theirs", f"{ADAPTERS}.faulty:sound", GROUP)
+    missing = EntryPoint("missing", f"{ADAPTERS}.unimportable:subject [rarity]", GROUP)
+    monkeypatch.setattr(subject_module, "entry_points", lambda group: [theirs, missing])
+    assert load("theirs").maps["so3.exp"] is not None
+    with pytest.raises(SubjectError, match=r"a_library_that_nobody_has.*; pip install 'affinecert\[rarity\]'"):
+        load("missing")
+    with pytest.raises(UnknownNameError, match="did you mean theirs"):
+        load("their")
 
 
 @pytest.mark.parametrize("name", ["fast", "reference"])
