@@ -144,6 +144,22 @@ def certify(
     ctx.exit(0 if certificate.passed else 1)
 
 
+@main.command()
+@click.argument("library", metavar="MYLIB")
+def init(library: str) -> None:
+    """Write an adapter for the library MYLIB.
+
+    Writes affinecert_MYLIB.py, an adapter with every map of the catalogue commented out, and
+    .github/workflows/affinecert.yml, which certifies MYLIB at every push. Files that are there are not overwritten.
+    """
+    from affinecert.reports import adoption  # noqa: PLC0415
+
+    adapter, workflow = adoption.adopt(library, Path())
+    click.echo(f"wrote {adapter}: uncomment the maps that {library} has")
+    click.echo(f"wrote {workflow}: {adoption.OWNER} stands there for the owner of affinecert's repository")
+    click.echo(f"then: affinecert certify {adapter.stem}:subject")
+
+
 @main.command(name="maps")
 @click.option("--json", "as_json", is_flag=True, help="As JSON.")
 def catalogue_(as_json: bool) -> None:
