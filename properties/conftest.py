@@ -17,6 +17,7 @@ import pytest
 from affinecert.properties.answers import Maps, exactly, singly
 from affinecert.properties.check import check
 from affinecert.properties.law import Law
+from affinecert.properties.plugin import FILE
 from affinecert.subject import load
 
 EXAMPLES = 30
@@ -34,7 +35,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
     """Collects the tests of the subject that is given, whatever the names of the adopter's test modules."""
-    if file_path.name != "subject_tests.py" or not _given(parent.config):
+    if file_path.name != FILE or not _given(parent.config):
         return None
     from affinecert.properties.subject_tests import SubjectTests  # noqa: PLC0415
 

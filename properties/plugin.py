@@ -12,6 +12,9 @@ import pytest
 from affinecert.errors import StoredFileError
 from affinecert.properties.expectations import Expectations, read
 
+FILE = "subject_tests.py"
+"""The module that collects the tests of a subject: what their ids start with."""
+
 EXPECTATIONS = pytest.StashKey[Expectations]()
 """Where the expectations of a run are kept."""
 
@@ -59,7 +62,7 @@ def pytest_configure(config: pytest.Config) -> None:
         config.stash[EXPECTATIONS] = Expectations(**{name: read(file) for name, file in files.items() if file})
     except StoredFileError as error:
         raise pytest.UsageError(str(error)) from error
-    from affinecert.properties.staleness import Staleness  # noqa: PLC0415
-
     if not hasattr(config, "workerinput"):  # pytest-xdist: its workers report to the one that tells
+        from affinecert.properties.staleness import Staleness  # noqa: PLC0415
+
         config.pluginmanager.register(Staleness(config), "affinecert-staleness")

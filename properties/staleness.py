@@ -7,8 +7,7 @@ from functools import cached_property
 import pytest
 
 from affinecert.properties.expectations import Expectation
-from affinecert.properties.plugin import EXPECTATIONS
-from affinecert.properties.subject_tests import FILE, names
+from affinecert.properties.plugin import EXPECTATIONS, FILE
 
 
 class Staleness:
@@ -32,6 +31,8 @@ class Staleness:
         """What is stale; nothing if the run was of other tests."""
         if not self.ran:
             return ()
+        from affinecert.properties.subject_tests import names  # noqa: PLC0415  (other runs do not need the catalogue)
+
         return self.config.stash[EXPECTATIONS].stale(names(self.config), self.passed)
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:

@@ -21,9 +21,6 @@ from affinecert.reports import view
 from affinecert.single_regime import certify_regime, regimes
 from affinecert.tier import PROFILES
 
-FILE = "subject_tests.py"
-"""This file, which the tests' ids start with."""
-
 
 class SubjectTest(pytest.Item):
     """A test of a subject, and what it is about: a map and one of its regimes, or a law."""
