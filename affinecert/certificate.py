@@ -124,6 +124,7 @@ class Certificate:
     """The record of a run; ``spec`` is what the subject is called on the command line.
 
     ``morph_laws`` is the law matrix, row by row. A law that a morph breaks is a property of the morph: no finding.
+    ``snippets`` are the subject's, by map (see `Subject`).
     """
 
     subject: str
@@ -141,6 +142,7 @@ class Certificate:
     timings: tuple[Timing, ...]
     absent: tuple[str, ...] = field(default=())
     morph_laws: tuple[MorphLawRecord, ...] = field(default=())
+    snippets: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def cases(self) -> int:

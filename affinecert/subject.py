@@ -27,6 +27,9 @@ class Subject:
 
     ``policies`` acquits documented answers outside a map's domain, such as the orthogonalising of any matrix: by words
     of the reference's reason ("not a rotation"), what the library's documentation promises there instead.
+
+    ``snippets`` say in Python how a map is called without affinecert, with nothing but the library and NumPy: by map,
+    a few lines in which ``{input0}``, ``{input1}`` ... stand for the arguments of one item as nested lists.
     """
 
     name: str
@@ -34,6 +37,7 @@ class Subject:
     maps: Mapping[str, Callable[..., Any]]
     conventions: Mapping[str, str] = field(default_factory=dict)
     policies: Mapping[str, str] = field(default_factory=dict)
+    snippets: Mapping[str, str] = field(default_factory=dict)
 
 
 def named() -> Mapping[str, EntryPoint]:

@@ -9,7 +9,9 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from affinecert.certificate import Certificate
+from affinecert.ratchet import Ratchet
 from affinecert.reports import matrix, view
+from affinecert.reports import ratchet as told
 from affinecert.reports.plots import plots
 from affinecert.scoring import Verdict
 
@@ -30,8 +32,8 @@ def anchor(*names: str) -> str:
     return "-".join(re.sub(r"[^A-Za-z0-9-]", lambda other: f"_{ord(other[0]):x}", name) for name in names)
 
 
-def html(certificate: Certificate) -> str:
-    """The certificate as an HTML document."""
+def html(certificate: Certificate, ratchet: Ratchet | None = None) -> str:
+    """The certificate as an HTML document, with what changed against a baseline if there is one."""
     environment = Environment(
         loader=PackageLoader("affinecert.reports", "."),
         autoescape=True,
@@ -46,6 +48,8 @@ def html(certificate: Certificate) -> str:
     template = environment.get_template("certificate.html.jinja")
     return template.render(
         certificate=certificate,
+        ratchet=ratchet,
+        told=told,
         view=view,
         matrix=matrix,
         maps=maps,

@@ -8,7 +8,9 @@ from collections.abc import Sequence
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from affinecert.certificate import Certificate, MorphLawRecord
+from affinecert.ratchet import Ratchet
 from affinecert.reports import matrix, view
+from affinecert.reports import ratchet as told
 
 
 def escape(text: str) -> str:
@@ -40,8 +42,8 @@ def law_matrix(cells: Sequence[MorphLawRecord]) -> str:
     return "\n".join([*table, "", *legend])
 
 
-def markdown(certificate: Certificate) -> str:
-    """The certificate as a Markdown document."""
+def markdown(certificate: Certificate, ratchet: Ratchet | None = None) -> str:
+    """The certificate as a Markdown document, with what changed against a baseline if there is one."""
     environment = Environment(
         loader=PackageLoader("affinecert.reports", "."),
         trim_blocks=True,
@@ -52,5 +54,5 @@ def markdown(certificate: Certificate) -> str:
     )
     environment.filters.update(escape=escape, code=code, figure=view.figure, error=view.error, tally=view.tally)
     return environment.get_template("certificate.md.jinja").render(
-        certificate=certificate, view=view, law_matrix=law_matrix
+        certificate=certificate, ratchet=ratchet, told=told, view=view, law_matrix=law_matrix
     )
