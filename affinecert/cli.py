@@ -172,7 +172,7 @@ def _baseline(path: Path, subject: Subject, folder: Path) -> Certificate | None:
         reports.prepare(path.parent)
         return None
     before = certificate.read(path)
-    ratchet.require_same(before, subject.name, str(path))
+    ratchet.require_same(before, subject.name, subject.dtype, str(path))
     return before
 
 

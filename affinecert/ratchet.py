@@ -20,7 +20,7 @@ from enum import StrEnum
 
 from affinecert.certificate import CaseResult, Certificate, LawRecord, RegimeResult
 from affinecert.errors import StoredFileError
-from affinecert.scoring import FINDINGS, UNIT, Verdict
+from affinecert.scoring import FINDINGS, Verdict
 from affinecert.summary import GRAVITY
 
 GROWTH = 2.0
@@ -104,10 +104,12 @@ def recorded(certificate: Certificate) -> Ratchet:
     return Ratchet(certificate.subject_version, certificate.created, True, 0, (), (), 0, 0, ())
 
 
-def require_same(baseline: Certificate, subject: str, name: str) -> None:
-    """Raises StoredFileError unless the baseline, of the file ``name``, is of that subject."""
+def require_same(baseline: Certificate, subject: str, dtype: str, name: str) -> None:
+    """Raises StoredFileError unless the baseline, of the file ``name``, is of that subject, in the same unit."""
     if baseline.subject != subject:
         raise StoredFileError(f"{name}: a baseline of {baseline.subject}, where one of {subject} is due")
+    if baseline.dtype != dtype:
+        raise StoredFileError(f"{name}: a baseline in {baseline.dtype}, where {subject} computes in {dtype}")
 
 
 def ratchet(baseline: Certificate, certificate: Certificate) -> Ratchet:
@@ -115,7 +117,7 @@ def ratchet(baseline: Certificate, certificate: Certificate) -> Ratchet:
 
     Maps that only one of the two runs was asked for are not compared, but findings among them are told as new.
     """
-    beyond = 1.0 / UNIT
+    beyond = 1.0 / certificate.arithmetic.unit
     before = {(result.map, result.regime): result for result in baseline.results if result.worst}
     now = {(result.map, result.regime): result for result in certificate.results if result.worst}
     found = [

@@ -209,6 +209,10 @@ def test_the_command_records_passes_and_fails(folder: Path, monkeypatch: pytest.
         ("{}", "Error: base.json: not a certificate of format 2: "),
         (json.dumps(json.loads(reports.to_json(certificates.passing())) | {"format": 1}), "format: 2 was expected"),
         (reports.to_json(certificates.passing()), "Error: base.json: a baseline of fast, where one of scipy is due"),
+        (
+            reports.to_json(replace(certificates.passing(), subject="scipy", dtype="float32")),
+            "Error: base.json: a baseline in float32, where scipy computes in float64",
+        ),
     ],
 )
 def test_a_bad_baseline_is_told_before_the_work(
