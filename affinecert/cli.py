@@ -176,6 +176,37 @@ def _baseline(path: Path, subject: Subject, folder: Path) -> Certificate | None:
     return before
 
 
+@main.command()
+@click.argument("files", metavar="CERT...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@maps_option
+@click.option("--json", "as_json", is_flag=True, help="As JSON, with every input.")
+@click.option("--out", type=FOLDER, help="Folder for the comparison as Markdown and HTML.")
+def compare(*, files: tuple[Path, ...], maps: str, as_json: bool, out: Path | None) -> None:
+    """Compare libraries by their certificates.
+
+    CERT is a certificate.json, or the folder that holds it. Rows are maps and regimes, columns libraries; a cell is the
+    worst case there. Speeds are compared where all certificates are of one machine.
+
+    affinecert compare certificates/* --out comparison
+    """
+    from affinecert import catalogue, certificate, reports  # noqa: PLC0415
+    from affinecert import compare as comparing  # noqa: PLC0415
+    from affinecert.reports import compare as told  # noqa: PLC0415
+
+    if out:
+        reports.prepare(out)
+    read = [certificate.read(file / "certificate.json" if file.is_dir() else file) for file in files]
+    chosen = None if maps == "*" else [entry.name for entry in catalogue.matching(maps)]
+    found = comparing.compare(read, chosen)
+    console = _console(stderr=as_json)
+    if as_json:
+        click.echo(told.as_json(found))
+    else:
+        told.show(found, console)
+    for path in told.write(found, out) if out else ():
+        console.print(f"wrote {path}", style="dim", soft_wrap=True)
+
+
 @main.command(name="maps")
 @click.option("--json", "as_json", is_flag=True, help="As JSON.")
 def catalogue_(as_json: bool) -> None:
