@@ -38,6 +38,9 @@ AREA = (28, 19, 429, 230)
 LETTER, LINE = 4.5, 9.5
 """Points: about what a letter takes across, and a line of text upwards."""
 
+LONGEST = 36
+"""Characters of a label."""
+
 REACH = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8, -8)
 """Lines up or down that a label may stand from its point, the nearest first."""
 
@@ -77,8 +80,9 @@ def _errors(errors: Sequence[float], bound: float | None) -> Scale:
 def _points(points: Sequence[Point], times: Scale, errors: Scale, to_page: BboxTransform) -> Iterator[Artist]:
     """A marker and a label each; a label that cannot stand beside its marker is tied to it by a line."""
     places = [to_page.transform((times.place(p.nanoseconds), errors.place(p.scaled))) for p in points]
-    labels = _labels([(float(x), float(y)) for x, y in places], [point.library for point in points])
-    for point, (x, y), label in zip(points, places, labels, strict=True):
+    names = [_name(point.library) for point in points]
+    labels = _labels([(float(x), float(y)) for x, y in places], names)
+    for point, name, (x, y), label in zip(points, names, places, labels, strict=True):
         verdict = Verdict(point.verdict)
         middle = (label.y0 + label.y1) / 2
         near = label.x0 if label.x0 > x else label.x1
@@ -97,12 +101,19 @@ def _points(points: Sequence[Point], times: Scale, errors: Scale, to_page: BboxT
         yield Text(
             near,
             middle,
-            point.library,
+            name,
             color=INK,
+            parse_math=False,
             ha="left" if label.x0 > x else "right",
             va="center",
             transform=IdentityTransform(),
         )
+
+
+def _name(library: str) -> str:
+    """A library's label in one short line, of what Matplotlib can write."""
+    line = " ".join(library.split()).encode("utf-8", "backslashreplace").decode()
+    return line if len(line) <= LONGEST else f"{line[: LONGEST - 1]}…"
 
 
 def _labels(places: Sequence[tuple[float, float]], names: Sequence[str]) -> list[Bbox]:
