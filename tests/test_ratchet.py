@@ -24,6 +24,7 @@ from affinecert.scoring import Verdict
 from affinecert.subject import Subject
 
 from . import certificates
+from .test_reports import Page
 
 OK, OTHER, DEGRADED, WRONG = Verdict.OK, Verdict.OTHER_BRANCH, Verdict.DEGRADED, Verdict.WRONG
 
@@ -159,6 +160,9 @@ def test_documents_and_terminal_tell_every_change() -> None:
         assert told.sentence(change) in page
         if change.worst and change.kind is Kind.WORSE:
             assert view.reproduce(certificate, change.worst) in shown
+    parts = Page(page)
+    assert parts.open == []
+    assert {link[1:] for link in parts.links} <= set(parts.ids)
     rows = [line for line in text.splitlines() if line.startswith(("| worse |", "| better |", "| new |"))]
     assert len(rows) == sum(found.count(kind) for kind in (Kind.WORSE, Kind.BETTER, Kind.NEW))
     assert "Against the baseline" not in html(certificate)
