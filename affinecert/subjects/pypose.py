@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
-import pypose as pp
 import torch
 
 from affinecert.subject import Subject
 from affinecert.subjects.on_tensors import on_tensors
+
+with warnings.catch_warnings():
+    # On import PyPose 0.9.5 has torch compile by means that torch calls outdated.
+    warnings.simplefilter("ignore", DeprecationWarning)
+    import pypose as pp
 
 ROTATION_FIRST = (3, 4, 5, 0, 1, 2)
 """Where a twist (omega, v), and the same way back, stands in PyPose's (v, omega)."""
