@@ -1,7 +1,7 @@
 """jaxlie, SO3 and SE3: in float64, and in the float32 that JAX computes in unless told otherwise.
 
-JAX rounds what it is given to float32, silently, unless its switch for float64 is on; here it is on for the calls of the
-one subject and off for those of the other, whatever the program around has set.
+JAX rounds what it is given to float32, silently, unless its switch for float64 is on; here it is on for the calls of
+the one subject and off for those of the other, whatever the program around has set.
 """
 
 from __future__ import annotations
@@ -100,4 +100,12 @@ subject = Subject(
     version=version("jaxlie"),
     maps={name: numbers(function, wide=True) for name, function in MAPS.items()},
     conventions={**CONVENTIONS, "numbers": "float64, jax_enable_x64 being on"},
+)
+
+subject32 = Subject(
+    name="jaxlie32",
+    version=version("jaxlie"),
+    maps={name: numbers(function, wide=False) for name, function in MAPS.items()},
+    conventions={**CONVENTIONS, "numbers": "float32, JAX's default"},
+    dtype="float32",
 )

@@ -10,7 +10,6 @@ from pyquaternion import Quaternion
 from affinecert.map import Array
 from affinecert.subject import Subject
 
-
 OFF_MANIFOLD = 1e-6
 """How far a matrix may be from a rotation in the catalogue's domain: an argument of Quaternion(matrix=...)."""
 
