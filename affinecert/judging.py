@@ -17,7 +17,8 @@ from affinecert.case import Case, generate, to_record
 from affinecert.catalogue import CATALOGUE
 from affinecert.certificate import CaseResult, LawRecord, MorphLawRecord, Timing
 from affinecert.errors import InputError
-from affinecert.map import Map
+from affinecert.map import Array, Map
+from affinecert.neighbours import right_nearby
 from affinecert.properties.answers import singly
 from affinecert.properties.check import LawResult, check
 from affinecert.properties.law import Law
@@ -88,13 +89,22 @@ def backward_error(
     )
 
 
-def weigh(entry: Map, answer: Answer, truth: Truth, subject: Subject) -> Score:
-    """The score of a subject's answer, with its backward error, which may show that it is right on another branch."""
+def weigh(entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, subject: Subject) -> Score:
+    """The score of a subject's answer, with its backward error, which may show that it is right on another branch.
+
+    Where a map that jumps has no inverse to show that, the values at the inputs next to this one may.
+    """
     arithmetic, policies = subject.arithmetic, subject.policies
     judged = score(entry, answer, truth, policies=policies, arithmetic=arithmetic)
     if judged.verdict is Verdict.WRONG and entry.continuation is not None:
         backward = backward_error(entry, answer, truth, arithmetic, scaled=True)
         judged = score(entry, answer, truth, backward, policies, arithmetic)
+        if (
+            entry.inverse is None
+            and measured(answer, truth)
+            and right_nearby(entry, inputs, answer, truth.sensitivity, arithmetic)
+        ):
+            judged = replace(judged, verdict=Verdict.OTHER_BRANCH, note="the value at an input a few roundings away")
     return replace(judged, backward=backward_error(entry, answer, truth, arithmetic))
 
 
@@ -118,7 +128,7 @@ def judge(subject: str | Subject, cases: Sequence[Case], known: Sequence[Truth])
     entry = CATALOGUE[cases[0].map]
     asked = resolve(subject)
     return [
-        result(case, weigh(entry, answer, truth, asked))
+        result(case, weigh(entry, case.inputs, answer, truth, asked))
         for case, answer, truth in zip(cases, answers(asked, cases), known, strict=True)
     ]
 
