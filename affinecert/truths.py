@@ -99,9 +99,7 @@ def principal(map: Map, inputs: tuple[Array, ...], outputs: tuple[Array, ...]) -
     ctx.prec = BASE
     at = _Input(ctx, map, tuple(_numbers(ctx, x) for x in inputs))
     near = at.outputs_near(tuple(_numbers(ctx, output) for output in outputs))
-    return all(
-        _norm(ctx, n - v) <= ctx.ldexp(_norm(ctx, v), -JUMP) for n, v in zip(near, at.outputs(), strict=True)
-    )
+    return all(_norm(ctx, n - v) <= ctx.ldexp(_norm(ctx, v), -JUMP) for n, v in zip(near, at.outputs(), strict=True))
 
 
 @cache

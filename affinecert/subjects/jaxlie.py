@@ -75,7 +75,7 @@ def numbers(function: Callable[..., Any], wide: bool) -> Callable[..., Array]:
     return rotors(evaluate) if function is slerp else evaluate
 
 
-MAPS = {
+MAPS: dict[str, Callable[..., Any]] = {
     "so3.exp": so3_exp,
     "so3.log": so3_log,
     "se3.exp": se3_exp,

@@ -21,12 +21,12 @@ NEGLIGIBLE = 1e6 * np.finfo(np.float64).eps
 """An imaginary part so small, relative to the largest entry, is rounding; the same for every subject."""
 
 
-def computed(function: Callable[..., Any], matrix: Array, *numbers: float) -> Any:
+def computed(function: Callable[..., Any], matrix: Array, *numbers: Array) -> Any:
     """The functions (N, n, n) of matrices (N, n, n) and numbers (N,), in 53 bits: real where all is but rounding."""
     values = []
     with mp.workprec(53):
-        for item, *rest in zip(matrix, *numbers, strict=True):
-            value = function(mp.matrix(item.tolist()), *(mp.mpf(float(number)) for number in rest))
+        for index, item in enumerate(matrix):
+            value = function(mp.matrix(item.tolist()), *(mp.mpf(float(number[index])) for number in numbers))
             values.append(np.array(value.tolist(), dtype=np.complex128).reshape(item.shape))
     array = np.stack(values)
     sizes = np.max(np.abs(array), axis=(1, 2), keepdims=True)

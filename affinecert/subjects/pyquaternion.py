@@ -25,15 +25,20 @@ def so3_log(rotation: Array) -> Array:
     return np.stack([turn.angle * turn.axis for turn in turns])
 
 
+def arc(start: Quaternion, end: Quaternion, time: float) -> Array:
+    """The quaternion (4,) at a time on the shorter arc: by slerp in [0, 1], to which it clips, else by `exp_map`."""
+    nearer = end if np.dot(start.elements, end.elements) >= 0.0 else -end
+    if 0.0 <= time <= 1.0:
+        # Given the nearer end, for slerp would turn the start round, in place.
+        return np.asarray(Quaternion.slerp(start, nearer, time).elements)
+    start, nearer = start.normalised, nearer.normalised
+    return np.asarray(Quaternion.exp_map(start, time * Quaternion.log_map(start, nearer)).elements)
+
+
 def slerp(start: Array, end: Array, t: Array) -> Array:
-    """The quaternions (N, 4) between quaternions (N, 4), of the sign that the start has."""
-    values = []
-    for p, q, time in zip(start, end, t, strict=True):
-        origin = Quaternion(p)
-        value = Quaternion.slerp(origin, Quaternion(q), float(time)).elements
-        # For the shorter arc it turns the start round, in place.
-        values.append(-value if np.dot(origin.elements, p) < 0.0 else value)
-    return np.stack(values)
+    """The quaternions (N, 4) between quaternions (N, 4)."""
+    triples = zip(start, end, t, strict=True)
+    return np.stack([arc(Quaternion(p), Quaternion(q), float(time)) for p, q, time in triples])
 
 
 subject = Subject(
@@ -44,8 +49,8 @@ subject = Subject(
         "quaternions": "(w, x, y, z)",
         "rotations": "columns, matrices act from the left; Quaternion(matrix=R) refuses what is no rotation",
         "rotation vectors": "angle times axis, the angle in (-pi, pi]; either sign at a half turn, as documented",
-        "slerp": "along the shorter arc, documented for amounts in [0, 1]; others are clipped",
-        "sign": "where p . q < 0 slerp goes from -p to q, the same rotations; the adapter takes the sign back",
+        "slerp": "for amounts in [0, 1], to which it clips, as documented; beyond, exp_map(p, t log_map(p, q))",
+        "sign": "where p . q < 0 slerp goes from -p to q, the same rotations; the adapter hands on -q instead",
     },
     policies={"not a unit quaternion": "slerp 'will implicitly normalise the endpoints to unit quaternions'"},
 )
