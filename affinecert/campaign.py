@@ -281,4 +281,5 @@ def certify(
         timings=tuple(future.result() for future in timings if future.exception() is None and future.result()),
         absent=tuple(entry.name for entry in entries if entry.name not in loaded.maps),
         morph_laws=tuple(cell for name in rows for cell in state.rows[name]),
+        snippets=dict(loaded.snippets),
     )
