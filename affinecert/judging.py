@@ -98,6 +98,9 @@ def weigh(entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, s
     judged = score(entry, answer, truth, policies=policies, arithmetic=arithmetic)
     if judged.verdict is Verdict.WRONG and entry.continuation is not None:
         backward = backward_error(entry, answer, truth, arithmetic, scaled=True)
+        if answer.outputs is None or not measured(answer, truth) or truths.principal(entry, inputs, answer.outputs):
+            # The exponential forgives a logarithm of next to nothing, but that is inaccurate, and no other branch.
+            backward = None
         judged = score(entry, answer, truth, backward, policies, arithmetic)
         if (
             entry.inverse is None
