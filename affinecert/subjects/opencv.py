@@ -10,6 +10,7 @@ import numpy as np
 
 from affinecert.map import Array
 from affinecert.subject import Subject
+from affinecert.subjects.preconditions import require_affine, require_rotations
 
 
 def so3_exp(omega: Array) -> Array:
@@ -19,6 +20,7 @@ def so3_exp(omega: Array) -> Array:
 
 def so3_log(rotation: Array) -> Array:
     """The rotation vectors (N, 3) of rotation matrices (N, 3, 3)."""
+    require_rotations(rotation)
     return np.stack([cv2.Rodrigues(item)[0][:, 0] for item in rotation])
 
 
@@ -27,8 +29,7 @@ def affine_lie_decompose(affine: Array) -> tuple[Array, Array, Array]:
 
     It leaves the signs of the triangle's diagonal free; here they are made positive.
     """
-    if np.any(affine[:, 3] != np.eye(4)[3]) or np.any(np.linalg.slogdet(affine[:, :3, :3])[0] <= 0):
-        raise ValueError("not an orientation-preserving affine map")
+    require_affine(affine)
     rigid = np.broadcast_to(np.eye(4), affine.shape).copy()
     shear = np.empty((len(affine), 3, 3))
     for item, pose, normal in zip(affine, rigid, shear, strict=True):
@@ -49,7 +50,8 @@ subject = Subject(
         "vectors": "columns; matrices act from the left",
         "rotation vectors": "in radians, of angle in [0, pi]",
         "branch at pi": "in the source: the last of the axis's components that differ from zero is positive",
-        "rotations off the manifold": "Rodrigues takes the nearest orthogonal matrix, by singular values",
+        "rotations off the manifold": "Rodrigues takes the nearest orthogonal matrix, by its source; its documentation "
+        "asks for a rotation, and the adapter refuses what is none",
         "triangular factor": "RQDecomp3x3: the diagonal is positive but for the first; the adapter makes all positive",
     },
 )

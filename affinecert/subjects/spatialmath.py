@@ -1,4 +1,4 @@
-"""spatialmath-python (Spatial Maths Toolbox): `spatialmath.base`, the functions that its classes SO3, SE3 and Twist3 call."""
+"""spatialmath-python: `spatialmath.base`, the functions that its classes SO3, SE3 and Twist3 call."""
 
 from __future__ import annotations
 
@@ -72,8 +72,8 @@ subject = Subject(
         "vectors": "columns; matrices act from the left; homogeneous matrices (4, 4) with last row 0 0 0 1",
         "twists": "(v, omega): translation first; the adapter swaps",
         "branch at pi": "the sign of the axis at exactly pi is documented nowhere",
-        "rotations off the manifold": "trlog refuses them beyond 20 eps unless check=False, as the classes call it; "
-        "the adapter does so too, and refuses beyond 1e-6 by isR, which has a tolerance",
+        "rotations off the manifold": "trlog refuses them beyond 20 eps, as documented; the adapter has it answer "
+        "by check=False, and refuses beyond 1e-6 by isR, which has a tolerance",
         "quaternions": "(w, x, y, z), taken for unit ones; the adapter normalises them (qunit would change signs)",
         "slerp": "shortest=True; where p . q < 0 it goes from -p to q, the same rotations; the adapter takes the sign "
         "back; a ValueError beyond [0, 1], as documented",

@@ -13,16 +13,7 @@ from transforms3d.axangles import axangle2mat, mat2axangle
 
 from affinecert.map import Array
 from affinecert.subject import Subject
-
-OFF_MANIFOLD = 1e-6
-"""How far a matrix may be from a rotation in the catalogue's domain; the library does not check."""
-
-
-def require_rotations(rotation: Array) -> None:
-    """Refuse what is no rotation: the library takes any matrix."""
-    error = np.linalg.norm(np.swapaxes(rotation, 1, 2) @ rotation - np.eye(3), axis=(1, 2))
-    if not np.all(error <= OFF_MANIFOLD) or np.any(np.linalg.det(rotation) <= 0):
-        raise ValueError("not a rotation")
+from affinecert.subjects.preconditions import require_affine, require_rotations
 
 
 def so3_exp(omega: Array) -> Array:
@@ -45,8 +36,7 @@ def affine_lie_decompose(affine: Array) -> tuple[Array, Array, Array]:
     The library factors into rotation times triangle. With J the reversal of the axes, J L^T J = Q U means L = (J U^T J)
     (J Q^T J), upper triangle times rotation.
     """
-    if np.any(affine[:, 3] != np.eye(4)[3]) or np.any(np.linalg.slogdet(affine[:, :3, :3])[0] <= 0):
-        raise ValueError("not an orientation-preserving affine map")
+    require_affine(affine)
     rigid = np.broadcast_to(np.eye(4), affine.shape).copy()
     shear = np.empty((len(affine), 3, 3))
     for item, pose, triangle in zip(affine, rigid, shear, strict=True):

@@ -12,7 +12,7 @@ from transforms3d.quaternions import mat2quat, qexp, qlog, quat2mat
 
 from affinecert.map import Array
 from affinecert.subject import Subject
-from affinecert.subjects.transforms3d import require_rotations
+from affinecert.subjects.preconditions import require_rotations
 
 
 def so3_exp(omega: Array) -> Array:
