@@ -98,6 +98,8 @@ def on_another_branch(
     if judged.verdict is not Verdict.WRONG or entry.continuation is None or not measured(answer, truth):
         return judged
     if entry.inverse is not None:
+        if truths.principal(entry, inputs, answer.outputs or ()):
+            return judged  # the inverse forgives a logarithm of next to nothing, which is inaccurate all the same
         backward = backward_error(entry, answer, truth, arithmetic, scaled=True)
         return score(entry, answer, truth, backward, arithmetic=arithmetic)
     for other in truths.across(entry, inputs, truth, entry.bound * arithmetic.unit):

@@ -95,6 +95,15 @@ def value(map: Map, inputs: tuple[Array, ...]) -> Truth:
     return Truth(*_halved(ctx, fine), (), None)
 
 
+def principal(map: Map, inputs: tuple[Array, ...], outputs: tuple[Array, ...]) -> bool:
+    """Whether the value itself is the determination nearest to the outputs, which are then inaccurate and no other."""
+    ctx = _context()
+    ctx.prec = BASE
+    at = _Input(ctx, map, tuple(_numbers(ctx, x) for x in inputs))
+    near = at.outputs_near(tuple(_numbers(ctx, output) for output in outputs))
+    return all(_norm(ctx, n - v) <= ctx.ldexp(_norm(ctx, v), -JUMP) for n, v in zip(near, at.outputs(), strict=True))
+
+
 def across(map: Map, inputs: tuple[Array, ...], truth: Truth, reach: float) -> Iterator[Truth]:
     """The values at an input beyond a jump that changes of the input by ``reach``, relative to its groups, cross.
 
