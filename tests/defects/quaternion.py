@@ -53,7 +53,7 @@ def normalised_chord(start: Array, end: Array, t: Array) -> Array:
     return np.asarray(chord / np.linalg.norm(chord, axis=-1, keepdims=True))
 
 
-@seeded("quaternion.slerp", "orthogonal")
+@seeded("quaternion.slerp", "orthogonal", Verdict.OTHER_BRANCH)
 def negated_at_a_right_angle(start: Array, end: Array, t: Array) -> Array:
     """p . q = 0 takes -q, as a negative one does."""
     inner = column(np.sum(start * end, axis=-1))
