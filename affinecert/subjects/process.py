@@ -41,6 +41,7 @@ from typing import Any
 import numpy as np
 
 from affinecert import catalogue
+from affinecert.arithmetic import ARITHMETICS
 from affinecert.case import to_hex
 from affinecert.errors import SubjectError, UnknownNameError
 from affinecert.map import Array
@@ -171,7 +172,7 @@ DUE = {
     "maps": lambda value: isinstance(value, list) and value != [] and all(isinstance(name, str) for name in value),
     "conventions": _words,
     "policies": _words,
-    "dtype": lambda value: value in {"float64", "float32"},
+    "dtype": lambda value: value in [*ARITHMETICS],
 }
 """What a program may say of itself, and what is right there."""
 
@@ -202,4 +203,5 @@ def load(line: str) -> Subject:
         maps=maps,
         conventions=TIMINGS | told.get("conventions", {}),
         policies=told.get("policies", {}),
+        dtype=told.get("dtype", "float64"),
     )
