@@ -11,6 +11,7 @@ import select
 import signal
 import subprocess
 import sys
+from contextlib import suppress
 
 GLANCE = 50
 """Milliseconds between two looks whether the program has ended."""
@@ -32,14 +33,10 @@ def keep(command: list[str]) -> int:
     listener.register(sys.stdin.fileno(), 0)
     while program.poll() is None and not listener.poll(GLANCE):
         pass
-    try:
+    with suppress(subprocess.TimeoutExpired):
         program.wait(GRACE)
-    except subprocess.TimeoutExpired:
-        pass
-    try:
+    with suppress(ProcessLookupError):
         os.killpg(program.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
     status = program.wait()
     return status if status >= 0 else 128 - status
 

@@ -1,4 +1,4 @@
-r"""A subject in another process, in whatever language: "exec:" and its command line; JSON by the line, hexadecimal floats.
+"""A subject in another process, in whatever language: a protocol of JSON by the line, with hexadecimal floats.
 
     affinecert certify 'exec:./my_subject --flag'
 
@@ -31,7 +31,7 @@ import os
 import re
 import shlex
 import shutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -57,7 +57,8 @@ HELLO_SECONDS = 20.0
 
 NUMBER = re.compile(r"[+-]?(0x[0-9a-f]+(\.[0-9a-f]*)?(p[+-]?[0-9]+)?|nan|inf)", re.IGNORECASE)
 
-TIMINGS = {"timings": "those of a program include the way there and back, as text"}
+TOLD = {"timings": "those of a program include the way there and back, as text"}
+"""What a certificate says of any subject of this kind."""
 
 
 class _Conversation:
@@ -166,7 +167,7 @@ def _words(value: Any) -> bool:
     return isinstance(value, dict) and all(isinstance(word, str) for word in value.values())
 
 
-DUE = {
+DUE: Mapping[str, Callable[[Any], bool]] = {
     "name": lambda value: isinstance(value, str) and value != "",
     "version": lambda value: isinstance(value, str) and value != "",
     "maps": lambda value: isinstance(value, list) and value != [] and all(isinstance(name, str) for name in value),
@@ -175,6 +176,8 @@ DUE = {
     "dtype": lambda value: value in [*ARITHMETICS],
 }
 """What a program may say of itself, and what is right there."""
+
+REQUIRED = ("name", "version", "maps")
 
 
 def load(line: str) -> Subject:
@@ -188,8 +191,8 @@ def load(line: str) -> Subject:
     conversation = _conversation(command, os.getpid())
     try:
         told = conversation.hello()
-        for key in DUE:
-            if key in {"name", "version", "maps"} and key not in told:
+        for key in REQUIRED:
+            if key not in told:
                 raise conversation.broken(f"does not tell its {key}")
         for key, value in told.items():
             if key not in DUE or not DUE[key](value):
@@ -201,7 +204,7 @@ def load(line: str) -> Subject:
         name=told["name"],
         version=told["version"],
         maps=maps,
-        conventions=TIMINGS | told.get("conventions", {}),
+        conventions=TOLD | told.get("conventions", {}),
         policies=told.get("policies", {}),
         dtype=told.get("dtype", "float64"),
     )

@@ -23,7 +23,7 @@ LONGEST = 1 << 28
 """Bytes read at once, and of a line at most: ten thousand answers of a thousand numbers each are shorter."""
 
 
-def shown(line: bytes) -> str:
+def shown(line: bytes | bytearray) -> str:
     """A line as it is told in an error."""
     text = line.decode(errors="backslashreplace").strip()
     return repr(text if len(text) <= SHOWN else text[:SHOWN] + "...")
@@ -33,7 +33,7 @@ class Program:
     """A program that runs. Once it broke down it has ended: whoever goes on starts another one."""
 
     def __init__(self, command: tuple[str, ...]) -> None:
-        self.words = tempfile.TemporaryFile()
+        self.words = tempfile.TemporaryFile()  # noqa: SIM115, closed when the program is stopped
         self.unread = bytearray()
         self.keeper = subprocess.Popen(
             [sys.executable, "-I", "-S", keeper.__file__, *command],
