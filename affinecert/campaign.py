@@ -12,7 +12,7 @@ import math
 import sys
 import time
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
@@ -24,7 +24,7 @@ from typing import Any, Protocol
 from pebble import ProcessExpired
 
 from affinecert import catalogue
-from affinecert.case import Case, rounded
+from affinecert.case import Case
 from affinecert.certificate import CaseResult, Certificate, LawRecord, MorphLawRecord, case_result, machine, plain
 from affinecert.errors import UnknownNameError
 from affinecert.executor import Executor, executor
@@ -37,7 +37,7 @@ from affinecert.properties.matrix.morphs import MORPHS, Morph
 from affinecert.store import Store, reference_version
 from affinecert.subject import Subject
 from affinecert.summary import summarise
-from affinecert.tier import PROFILES, Profile, batches, select
+from affinecert.tier import PROFILES, Profile, batches, select, taken
 from affinecert.truths import Truth
 
 CASE_SECONDS = 20.0
@@ -223,12 +223,6 @@ def _why_lost(future: Future[Any], limit: float) -> str | None:
     raise error
 
 
-def _taken(cases: Iterable[Case], dtype: str) -> list[Case]:
-    """The cases as a subject of that dtype takes them, each once."""
-    taken = (rounded(case, dtype) for case in cases)
-    return list({case.key: case for case in taken if case is not None}.values())
-
-
 def certify(
     subject: str | Subject = "fast",
     *,
@@ -253,7 +247,7 @@ def certify(
     entries = catalogue.matching(maps)
     loaded = resolve(subject)
     offered = [entry for entry in entries if entry.name in loaded.maps]
-    cases = _taken(select(offered, PROFILES[profile]), loaded.dtype)
+    cases = list(taken(select(offered, PROFILES[profile]), loaded.dtype))
     run, exact = run_name(loaded), loaded.dtype == "float64"
     with Store(store) as kept, executor(jobs) as submit:
         if fresh:
@@ -284,4 +278,5 @@ def certify(
         timings=tuple(future.result() for future in timings if future.exception() is None and future.result()),
         absent=tuple(entry.name for entry in entries if entry.name not in loaded.maps),
         morph_laws=tuple(cell for name in rows for cell in state.rows[name]),
+        snippets=dict(loaded.snippets),
     )

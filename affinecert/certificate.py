@@ -126,6 +126,7 @@ class Certificate:
 
     ``morph_laws`` is the law matrix, row by row. A law that a morph breaks is a property of the morph: no finding.
     Errors are in the unit of the ``dtype`` that the subject computes in.
+    ``snippets`` are the subject's, by map (see `Subject`).
     """
 
     subject: str
@@ -144,6 +145,7 @@ class Certificate:
     absent: tuple[str, ...] = field(default=())
     morph_laws: tuple[MorphLawRecord, ...] = field(default=())
     dtype: str = "float64"
+    snippets: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def arithmetic(self) -> Arithmetic:

@@ -16,7 +16,9 @@ from affinecert.errors import AffinecertError, SubjectError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from affinecert.certificate import Certificate
     from affinecert.properties.claims.finding import Finding
+    from affinecert.subject import Subject
 
 WIDTH = 100
 """Columns where there is no terminal to ask."""
@@ -99,6 +101,12 @@ def main() -> None:
     help="Time limit of a case, with two jobs or more.  [default: 20]",
 )
 @click.option("--fresh", is_flag=True, help="Do not go on from an interrupted run.")
+@click.option(
+    "--baseline",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="An earlier certificate.json: fail only on what got worse. Written if missing.",
+)
 @click.pass_context
 def certify(
     ctx: click.Context,
@@ -110,15 +118,18 @@ def certify(
     jobs: int | None,
     limit: float | None,
     fresh: bool,
+    baseline: Path | None,
 ) -> None:
     """Certify SUBJECT against the truth.
 
     Every map in every regime, and every law; prints one table, the laws and the findings.
 
-    Writes certificate.json, certificate.md and certificate.html.
+    Writes certificate.json, certificate.md and certificate.html. With a baseline the exit code is 1 only if something
+    got worse: a graver verdict, a finding's error more than doubled, a map dropped, a law newly broken.
     """
-    from affinecert import campaign, catalogue, reports  # noqa: PLC0415
+    from affinecert import campaign, catalogue, ratchet, reports  # noqa: PLC0415
     from affinecert.judging import resolve  # noqa: PLC0415
+    from affinecert.reports import ratchet as changes  # noqa: PLC0415
     from affinecert.reports import terminal  # noqa: PLC0415
     from affinecert.reports.progress import shown  # noqa: PLC0415
 
@@ -127,6 +138,7 @@ def certify(
         raise SubjectError(f"{subject} offers no map that matches {maps!r}")
     folder = out or Path("certificates") / re.sub(r"[^\w.-]+", ".", subject)
     reports.prepare(folder)
+    before = _baseline(baseline, resolve(subject), folder) if baseline else None
     with shown(_console(stderr=True)) as update:
         certificate = campaign.certify(
             subject,
@@ -139,9 +151,76 @@ def certify(
         )
     console = _console()
     terminal.show(certificate, console)
-    for path in reports.write(certificate, folder):
+    found = None
+    if baseline:
+        found = ratchet.ratchet(before, certificate) if before else ratchet.recorded(certificate)
+        changes.show(found, certificate, console, baseline)
+    for path in reports.write(certificate, folder, found):
         console.print(f"wrote {path}", style="dim", soft_wrap=True)
-    ctx.exit(0 if certificate.passed else 1)
+    if baseline and not before:
+        reports.replace(baseline, reports.to_json(certificate))
+    ctx.exit(0 if (found or certificate).passed else 1)
+
+
+def _baseline(path: Path, subject: Subject, folder: Path) -> Certificate | None:
+    """The baseline in a file, None if there is no such file: looked at before the work, as it may come to nothing."""
+    from affinecert import certificate, ratchet, reports  # noqa: PLC0415
+
+    if path.resolve() == (folder / "certificate.json").resolve():
+        raise click.UsageError(f"the certificate would overwrite the baseline {path}: give another --out")
+    if not path.exists():
+        reports.prepare(path.parent)
+        return None
+    before = certificate.read(path)
+    ratchet.require_same(before, subject.name, subject.dtype, str(path))
+    return before
+
+
+@main.command()
+@click.argument("files", metavar="CERT...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@maps_option
+@click.option("--json", "as_json", is_flag=True, help="As JSON, with every input.")
+@click.option("--out", type=FOLDER, help="Folder for the comparison as Markdown and HTML.")
+def compare(*, files: tuple[Path, ...], maps: str, as_json: bool, out: Path | None) -> None:
+    """Compare libraries by their certificates.
+
+    CERT is a certificate.json, or the folder that holds it. Rows are maps and regimes, columns libraries; a cell is the
+    worst case there. Speeds are compared where all certificates are of one machine.
+
+    affinecert compare certificates/* --out comparison
+    """
+    from affinecert import catalogue, certificate, reports  # noqa: PLC0415
+    from affinecert import compare as comparing  # noqa: PLC0415
+    from affinecert.reports import compare as told  # noqa: PLC0415
+
+    if out:
+        reports.prepare(out)
+    read = [certificate.read(file / "certificate.json" if file.is_dir() else file) for file in files]
+    chosen = None if maps == "*" else [entry.name for entry in catalogue.matching(maps)]
+    found = comparing.compare(read, chosen)
+    console = _console(stderr=as_json)
+    if as_json:
+        click.echo(told.as_json(found))
+    else:
+        told.show(found, console)
+    for path in told.write(found, out) if out else ():
+        console.print(f"wrote {path}", style="dim", soft_wrap=True)
+
+
+@main.command()
+@click.argument("library", metavar="MYLIB")
+def init(library: str) -> None:
+    """Write an adapter for the library MYLIB.
+
+    Writes affinecert_MYLIB.py, an adapter with every map of the catalogue commented out, and
+    .github/workflows/affinecert.yml, which certifies MYLIB at every push. Files that are there are not overwritten.
+    """
+    from affinecert.reports import adoption  # noqa: PLC0415
+
+    adapter, workflow = adoption.adopt(library, Path())
+    click.echo(f"wrote {adapter}: uncomment the maps that {library} has")
+    click.echo(f"wrote {workflow}: {adoption.OWNER} stands there for the owner of affinecert's repository")
+    click.echo(f"then: affinecert certify {adapter.stem}:subject")
 
 
 @main.command(name="maps")

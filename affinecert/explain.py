@@ -75,7 +75,7 @@ def _reply(subject: Subject, entry: Map, case: Case, truth: Truth) -> Reply:
         return Reply(subject.name, subject.version, nothing, Score(Verdict.ABSENT, (), None, str(nothing.complaint)))
     (answer,) = answers(subject, [taken])
     at = truth if taken.key == case.key else truths.compute(entry, taken.inputs)
-    judged = weigh(entry, answer, at, subject)
+    judged = weigh(entry, taken.inputs, answer, at, subject)
     return Reply(subject.name, subject.version, answer, judged)
 
 

@@ -17,7 +17,7 @@ from affinecert.case import Case, generate, to_record
 from affinecert.catalogue import CATALOGUE
 from affinecert.certificate import CaseResult, LawRecord, MorphLawRecord, Timing
 from affinecert.errors import InputError
-from affinecert.map import Map
+from affinecert.map import Array, Map
 from affinecert.properties.answers import singly
 from affinecert.properties.check import LawResult, check
 from affinecert.properties.law import Law
@@ -88,13 +88,31 @@ def backward_error(
     )
 
 
-def weigh(entry: Map, answer: Answer, truth: Truth, subject: Subject) -> Score:
-    """The score of a subject's answer, with its backward error, which may show that it is right on another branch."""
-    arithmetic, policies = subject.arithmetic, subject.policies
-    judged = score(entry, answer, truth, policies=policies, arithmetic=arithmetic)
-    if judged.verdict is Verdict.WRONG and entry.continuation is not None:
+def on_another_branch(
+    entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, judged: Score, arithmetic: Arithmetic
+) -> Score:
+    """The score of a wrong answer of a map that jumps, which may be right on another branch.
+
+    By its inverse, where the map has one; else beside a jump, where a rounding of the input makes the choice.
+    """
+    if judged.verdict is not Verdict.WRONG or entry.continuation is None or not measured(answer, truth):
+        return judged
+    if entry.inverse is not None:
+        if truths.principal(entry, inputs, answer.outputs or ()):
+            return judged  # the inverse forgives a logarithm of next to nothing, which is inaccurate all the same
         backward = backward_error(entry, answer, truth, arithmetic, scaled=True)
-        judged = score(entry, answer, truth, backward, policies, arithmetic)
+        return score(entry, answer, truth, backward, arithmetic=arithmetic)
+    for other in truths.across(entry, inputs, truth, entry.bound * arithmetic.unit):
+        if score(entry, answer, other, arithmetic=arithmetic).verdict is Verdict.OK:
+            return replace(judged, verdict=Verdict.OTHER_BRANCH, note="the value beyond a jump within rounding")
+    return judged
+
+
+def weigh(entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, subject: Subject) -> Score:
+    """The score of a subject's answer, with its backward error, which may show that it is right on another branch."""
+    arithmetic = subject.arithmetic
+    judged = score(entry, answer, truth, policies=subject.policies, arithmetic=arithmetic)
+    judged = on_another_branch(entry, inputs, answer, truth, judged, arithmetic)
     return replace(judged, backward=backward_error(entry, answer, truth, arithmetic))
 
 
@@ -118,7 +136,7 @@ def judge(subject: str | Subject, cases: Sequence[Case], known: Sequence[Truth])
     entry = CATALOGUE[cases[0].map]
     asked = resolve(subject)
     return [
-        result(case, weigh(entry, answer, truth, asked))
+        result(case, weigh(entry, case.inputs, answer, truth, asked))
         for case, answer, truth in zip(cases, answers(asked, cases), known, strict=True)
     ]
 

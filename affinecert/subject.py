@@ -34,6 +34,9 @@ class Subject:
 
     ``dtype`` is what it computes in, float64 or float32. A float32 subject gets float32 arrays, is held against the
     truths at these very numbers, and its errors are told in units of 2^-24.
+
+    ``snippets`` say in Python how a map is called without affinecert, with nothing but the library and NumPy: by map,
+    a few lines in which ``{input0}``, ``{input1}`` ... stand for the arguments of one item as nested lists.
     """
 
     name: str
@@ -42,6 +45,7 @@ class Subject:
     conventions: Mapping[str, str] = field(default_factory=dict)
     policies: Mapping[str, str] = field(default_factory=dict)
     dtype: str = "float64"
+    snippets: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def arithmetic(self) -> Arithmetic:

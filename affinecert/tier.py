@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from affinecert import corpus
-from affinecert.case import Case, generate
+from affinecert.case import Case, generate, rounded
 from affinecert.map import Map
 
 
@@ -39,6 +39,12 @@ def select(entries: Iterable[Map], profile: Profile) -> Iterator[Case]:
         if case.key not in seen:
             seen.add(case.key)
             yield case
+
+
+def taken(cases: Iterable[Case], dtype: str) -> Iterator[Case]:
+    """The cases as a subject of that dtype takes them, each once; those beyond its numbers are left out."""
+    fitting = (rounded(case, dtype) for case in cases)
+    yield from {case.key: case for case in fitting if case is not None}.values()
 
 
 def _tier(entries: Sequence[Map], stored: Sequence[Case], profile: Profile) -> Iterator[Case]:

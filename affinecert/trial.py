@@ -14,7 +14,7 @@ from affinecert import truths
 from affinecert.answering import answers
 from affinecert.case import Case, generate, rounded
 from affinecert.errors import InputError, PrecisionError
-from affinecert.judging import backward_error
+from affinecert.judging import on_another_branch
 from affinecert.map import Map
 from affinecert.scoring import Answer, Score, Verdict, score
 from affinecert.store import Store, reference_version
@@ -70,14 +70,10 @@ class Trial:
         if truth.refusal is not None:
             return None
         judged = self._score(answer, truth)
-        # Only a map with several determinations can be right on another branch.
-        arithmetic = self.subject.arithmetic
-        if self.entry.continuation is None or judged.scaled <= arithmetic.lost_half or math.isinf(judged.scaled):
-            return judged
-        return self._score(answer, truth, backward_error(self.entry, answer, truth, arithmetic, scaled=True))
+        return on_another_branch(self.entry, case.inputs, answer, truth, judged, self.subject.arithmetic)
 
-    def _score(self, answer: Answer, truth: Truth, backward: float | None = None) -> Score:
-        return score(self.entry, answer, truth, backward, arithmetic=self.subject.arithmetic)
+    def _score(self, answer: Answer, truth: Truth) -> Score:
+        return score(self.entry, answer, truth, arithmetic=self.subject.arithmetic)
 
     def warm_up(self) -> None:
         """Has the subject answer once, for that may import and compile."""

@@ -37,6 +37,8 @@ MOST = 32 * BASE
 VALUE = 128
 # Below the smallest normal float64, 2**FLOOR, agreement is absolute.
 FLOOR = -1022
+# Pairs of changes by which a jump beside an input is looked for.
+SWAYS = 2
 # A logarithm that changes by more than 2**-JUMP of itself over one step has jumped to another branch, or is as
 # sensitive as if it had; then it is continued instead.
 JUMP = 40
@@ -93,6 +95,36 @@ def value(map: Map, inputs: tuple[Array, ...]) -> Truth:
     return Truth(*_halved(ctx, fine), (), None)
 
 
+def principal(map: Map, inputs: tuple[Array, ...], outputs: tuple[Array, ...]) -> bool:
+    """Whether the value itself is the determination nearest to the outputs, which are then inaccurate and no other."""
+    ctx = _context()
+    ctx.prec = BASE
+    at = _Input(ctx, map, tuple(_numbers(ctx, x) for x in inputs))
+    near = at.outputs_near(tuple(_numbers(ctx, output) for output in outputs))
+    return all(_norm(ctx, n - v) <= ctx.ldexp(_norm(ctx, v), -JUMP) for n, v in zip(near, at.outputs(), strict=True))
+
+
+def across(map: Map, inputs: tuple[Array, ...], truth: Truth, reach: float) -> Iterator[Truth]:
+    """The values at an input beyond a jump that changes of the input by ``reach``, relative to its groups, cross.
+
+    There the choice between determinations is that of a rounding: at a half turn the way to turn, where quaternions are
+    orthogonal the sign of one. None for a map that does not jump, or where no jump is so near.
+    """
+    if map.continuation is None:
+        return
+    ctx = _context()
+    ctx.prec = BASE
+    at = _Input(ctx, map, tuple(_numbers(ctx, x) for x in inputs))
+    for moved in _swayed(at, reach):
+        try:
+            outputs = at.outputs_on(moved.outputs())
+        except InputError:
+            continue
+        high, low = _halved(ctx, outputs)
+        if any(np.any(there != here) for there, here in zip(high, truth.high, strict=True)):
+            yield Truth(high, low, truth.sensitivity, None)
+
+
 @cache
 def _context() -> Any:
     """A context of our own, made once: making one takes as long as the truth of a cheap map."""
@@ -119,6 +151,11 @@ class _Input:
             for v, b in zip(value, base, strict=True)
         ):
             return value
+        return self.outputs_on(base)
+
+    def outputs_on(self, base: tuple[Numbers, ...]) -> tuple[Numbers, ...]:
+        """The values on the branch of the outputs ``base``, for a map that has branches."""
+        assert self.map.continuation is not None
         return self._outputs(self.map.continuation(self.ctx, base if len(base) > 1 else base[0], *self.arguments))
 
     def moved(self, argument: int, place: int, change: Any) -> _Input:
@@ -217,6 +254,26 @@ def _columns(at: _Input, argument: int, group: Group, base: tuple[Numbers, ...],
                 continue
             yield [(a - b) * (size / change) for a, b in zip(at.blocks(after), before, strict=True)]
             break
+
+
+def _swayed(at: _Input, reach: float) -> Iterator[_Input]:
+    """The input with all entries changed at once, this way and that.
+
+    In pairs of opposites, one of which passes a jump; of drawn signs, always the same, lest they keep a symmetry.
+    """
+    signs = np.random.default_rng(0)
+    for _ in range(SWAYS):
+        draws = [signs.choice((-1, 1), size=argument.shape) for argument in at.arguments]
+        for way in (1, -1):
+            swayed = []
+            for argument, entries, drawn in zip(at.map.arguments, at.arguments, draws, strict=True):
+                changed = entries.copy()
+                for group in argument.groups:
+                    part = entries[group.where]
+                    size = _norm(at.ctx, part) if group.mode == "norm" else abs(part)
+                    changed[group.where] = part + way * drawn[group.where] * (size * reach)
+                swayed.append(changed)
+            yield replace(at, arguments=tuple(swayed))
 
 
 def _size(ctx: Any, columns: Sequence[Numbers], group: Group) -> Any:

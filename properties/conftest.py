@@ -1,6 +1,7 @@
-"""The law tests' subject: ``pytest --pyargs affinecert.properties --affinecert-subject my.module:subject``.
+"""What ``pytest --pyargs affinecert.properties`` collects.
 
-Without the option, or AFFINECERT_SUBJECT in the environment, the laws are tried on `reference` and on `fast`.
+With ``--affinecert-subject my.module:subject``, the tests of that subject: see `subject_tests`. Without, these modules,
+which try the laws on `reference` and on `fast`, or on what the environment variable AFFINECERT_SUBJECT names.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,17 +17,35 @@ import pytest
 from affinecert.properties.answers import Maps, exactly, singly
 from affinecert.properties.check import check
 from affinecert.properties.law import Law
+from affinecert.properties.plugin import FILE
 from affinecert.subject import load
 
 EXAMPLES = 30
 """Inputs a law, enough to meet most regimes of a map, few enough for all laws on two subjects in 100 s."""
 
 
+def _given(config: pytest.Config) -> bool:
+    return bool(config.getoption("--affinecert-subject", default=None))
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Leaves the modules out where a subject is given."""
+    return True if collection_path.name.startswith("test_") and _given(config) else None
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Collects the tests of the subject that is given, whatever the names of the adopter's test modules."""
+    if file_path.name != FILE or not _given(parent.config):
+        return None
+    from affinecert.properties.subject_tests import SubjectTests  # noqa: PLC0415
+
+    return SubjectTests.from_parent(parent, path=file_path)
+
+
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Runs each test that asks for ``maps`` on each subject."""
     if "maps" in metafunc.fixturenames:
-        option = metafunc.config.getoption("--affinecert-subject", default=None)
-        subjects = option or os.environ.get("AFFINECERT_SUBJECT", "reference fast").split()
+        subjects = os.environ.get("AFFINECERT_SUBJECT", "reference fast").split()
         metafunc.parametrize("maps", subjects, indirect=True)
 
 

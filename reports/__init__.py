@@ -12,6 +12,7 @@ from typing import Any
 
 from affinecert.certificate import Certificate, dump
 from affinecert.errors import StoredFileError
+from affinecert.ratchet import Ratchet
 
 
 @contextmanager
@@ -33,9 +34,10 @@ def prepare(folder: Path) -> None:
             pass
 
 
-def write(certificate: Certificate, folder: Path) -> tuple[Path, ...]:
+def write(certificate: Certificate, folder: Path, ratchet: Ratchet | None = None) -> tuple[Path, ...]:
     """Writes ``certificate.json``, ``.md`` and ``.html`` into the folder; each appears whole or not at all.
 
+    What changed against a baseline is told in the latter two; the record is of this run alone.
     Raises StoredFileError, naming the file, where the folder cannot be written or the disk is full.
     """
     prepare(folder)
@@ -46,7 +48,7 @@ def write(certificate: Certificate, folder: Path) -> tuple[Path, ...]:
 
     rendered = {"md": markdown, "html": html}
     return record, *(
-        replace(folder / f"certificate.{suffix}", render(certificate)) for suffix, render in rendered.items()
+        replace(folder / f"certificate.{suffix}", render(certificate, ratchet)) for suffix, render in rendered.items()
     )
 
 

@@ -10,7 +10,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
@@ -20,6 +20,7 @@ from affinecert.properties.claims import PAPERS
 from affinecert.properties.claims.claim import Claim, Verdict
 from affinecert.properties.claims.finding import Finding
 from affinecert.reports.markdown import code, escape
+from affinecert.reports.templates import environment
 from affinecert.reports.terminal import table
 from affinecert.reports.view import counted
 
@@ -199,16 +200,9 @@ def as_json(ledger: Iterable[Entry]) -> str:
 
 
 def _environment(*, autoescape: bool) -> Environment:
-    environment = Environment(
-        loader=PackageLoader("affinecert.reports", "."),
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        undefined=StrictUndefined,
-        autoescape=autoescape,
-    )
-    environment.filters.update(plain=escape, code=code)
-    environment.globals.update(
+    templates = environment(autoescape=autoescape)
+    templates.filters.update(plain=escape, code=code)
+    templates.globals.update(
         by_paper=by_paper,
         chapter=chapter,
         facts=facts,
@@ -221,7 +215,7 @@ def _environment(*, autoescape: bool) -> Environment:
         tones=TONES,
         words=WORDS,
     )
-    return environment
+    return templates
 
 
 RENDERED: Mapping[str, bool] = {"ledger.md": False, "errata.md": False, "ledger.html": True}

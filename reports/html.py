@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from affinecert.certificate import Certificate
+from affinecert.ratchet import Ratchet
 from affinecert.reports import matrix, view
+from affinecert.reports import ratchet as told
 from affinecert.reports.plots import plots
+from affinecert.reports.templates import environment
 from affinecert.scoring import Verdict
 
 GLYPHS: Mapping[str, str] = {
@@ -30,23 +32,19 @@ def anchor(*names: str) -> str:
     return "-".join(re.sub(r"[^A-Za-z0-9-]", lambda other: f"_{ord(other[0]):x}", name) for name in names)
 
 
-def html(certificate: Certificate) -> str:
-    """The certificate as an HTML document."""
-    environment = Environment(
-        loader=PackageLoader("affinecert.reports", "."),
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        undefined=StrictUndefined,
-    )
-    environment.filters.update(figure=view.figure, error=view.error, tally=view.tally)
+def html(certificate: Certificate, ratchet: Ratchet | None = None) -> str:
+    """The certificate as an HTML document, with what changed against a baseline if there is one."""
+    templates = environment(autoescape=True)
+    templates.filters.update(figure=view.figure, error=view.error, tally=view.tally)
     maps = [
         (entry, tuple(zip(entry.results, map(Markup, plots(entry, certificate.arithmetic)), strict=True)))
         for entry in view.maps(certificate)
     ]
-    template = environment.get_template("certificate.html.jinja")
+    template = templates.get_template("certificate.html.jinja")
     return template.render(
         certificate=certificate,
+        ratchet=ratchet,
+        told=told,
         view=view,
         matrix=matrix,
         maps=maps,

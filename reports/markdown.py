@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 from affinecert.certificate import Certificate, MorphLawRecord
+from affinecert.ratchet import Ratchet
 from affinecert.reports import matrix, view
+from affinecert.reports import ratchet as told
+from affinecert.reports.templates import environment
 
 
 def escape(text: str) -> str:
@@ -40,17 +41,10 @@ def law_matrix(cells: Sequence[MorphLawRecord]) -> str:
     return "\n".join([*table, "", *legend])
 
 
-def markdown(certificate: Certificate) -> str:
-    """The certificate as a Markdown document."""
-    environment = Environment(
-        loader=PackageLoader("affinecert.reports", "."),
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        undefined=StrictUndefined,
-        autoescape=False,
-    )
-    environment.filters.update(escape=escape, code=code, figure=view.figure, error=view.error, tally=view.tally)
-    return environment.get_template("certificate.md.jinja").render(
-        certificate=certificate, view=view, law_matrix=law_matrix
+def markdown(certificate: Certificate, ratchet: Ratchet | None = None) -> str:
+    """The certificate as a Markdown document, with what changed against a baseline if there is one."""
+    templates = environment(autoescape=False)
+    templates.filters.update(escape=escape, code=code, figure=view.figure, error=view.error, tally=view.tally)
+    return templates.get_template("certificate.md.jinja").render(
+        certificate=certificate, ratchet=ratchet, told=told, view=view, law_matrix=law_matrix
     )

@@ -7,6 +7,7 @@ import logging
 import math
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from html import escape
 
@@ -114,31 +115,43 @@ def _power(exponent: int) -> str:
     return "10" + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
-def _logarithms(values: Iterable[float]) -> list[float]:
+def logarithms(values: Iterable[float]) -> list[float]:
+    """The decimal logarithms of those that have one."""
     return [math.log10(value) for value in values if 0.0 < value < math.inf]
 
 
 def _error_scale(view: MapView) -> Scale:
     """Common to a map's plots: above all its errors, and above its bound."""
     errors = [scaled for result in view.results for _, scaled, _ in result.points]
-    highest = max([*_logarithms(errors), math.log10(view.bound or 1.0) + 0.4])
+    highest = max([*logarithms(errors), math.log10(view.bound or 1.0) + 0.4])
     return Scale(LOWEST, max(math.ceil(highest), 2), infinity=math.inf in errors)
 
 
 def _distance_scale(result: RegimeResult) -> Scale:
     distances = [distance for distance, _, _ in result.points]
-    logarithms = _logarithms(distances) or [0.0]
-    low, high = math.floor(min(logarithms)), math.ceil(max(logarithms))
+    exponents = logarithms(distances) or [0.0]
+    low, high = math.floor(min(exponents)), math.ceil(max(exponents))
     if high - low < 2:
         low, high = low - 1, high + 1
     return Scale(low, high, zero=0.0 in distances, infinity=math.inf in distances)
 
 
+def lettering() -> AbstractContextManager[None]:
+    """Settings of Matplotlib under which texts stay texts, small."""
+    return mpl.rc_context({"svg.fonttype": "none", "font.size": 8.0, "path.simplify": False, "text.usetex": False})
+
+
 def plots(view: MapView, arithmetic: Arithmetic) -> tuple[str, ...]:
     """An SVG element for each regime of a map, in order, on a common scale of errors."""
     errors = _error_scale(view)
-    with mpl.rc_context({"svg.fonttype": "none", "font.size": 8.0, "path.simplify": False, "text.usetex": False}):
+    with lettering():
         return tuple(_plot(result, view.bound, arithmetic.lost_half, errors) for result in view.results)
+
+
+def placed(across: Scale, up: Scale, area: tuple[int, int, int, int]) -> BboxTransform:
+    """From two scales to where on the page their plot is."""
+    (left, right), (bottom, top) = across.limits, up.limits
+    return BboxTransform(Bbox.from_extents(left, bottom, right, top), Bbox.from_extents(*area))
 
 
 def _plot(result: RegimeResult, bound: float | None, lost_half: float, errors: Scale) -> str:
@@ -146,25 +159,20 @@ def _plot(result: RegimeResult, bound: float | None, lost_half: float, errors: S
     canvas = Figure(figsize=(WIDTH / 72, HEIGHT / 72), dpi=72, facecolor="none")
     FigureCanvasSVG(canvas)
     distances = _distance_scale(result)
-    (left, right), (bottom, top) = distances.limits, errors.limits
-    to_page = BboxTransform(Bbox.from_extents(left, bottom, right, top), Bbox.from_extents(*AREA))
+    to_page = placed(distances, errors, AREA)
     for artist in (
-        *_bound(bound, lost_half, distances, errors),
-        *_grid(distances, errors),
+        *bounded(bound, lost_half, distances, errors),
+        *grid(distances, errors),
         *_points(result, distances, errors),
     ):
         artist.set_transform(to_page)
         canvas.add_artist(artist)
-    for place, label in zip(*distances.ticks, strict=True):
-        x, y = to_page.transform((place, bottom))
-        canvas.add_artist(Text(x, y - GAP, label, color=INK, ha="center", va="top", transform=IdentityTransform()))
-    for place, label in zip(*errors.ticks, strict=True):
-        x, y = to_page.transform((left, place))
-        canvas.add_artist(Text(x - GAP, y, label, color=INK, ha="right", va="center", transform=IdentityTransform()))
-    return _inline(canvas, f"{result.map}/{result.regime}", _label(result))
+    for label in ticks(distances, errors, to_page):
+        canvas.add_artist(label)
+    return inline(canvas, f"{result.map}/{result.regime}", _label(result))
 
 
-def _bound(bound: float | None, lost_half: float, distances: Scale, errors: Scale) -> Iterator[Artist]:
+def bounded(bound: float | None, lost_half: float, distances: Scale, errors: Scale) -> Iterator[Artist]:
     """The bound as a line; what lies beyond it is shaded, and half of all digits a thinner line."""
     if not bound:  # unknown, or that of a predicate, whose answers are right or wrong
         return
@@ -176,11 +184,22 @@ def _bound(bound: float | None, lost_half: float, distances: Scale, errors: Scal
         yield Line2D((left, right), (half, half), color=LIMIT, linewidth=0.7, linestyle=(0, (3, 2)))
 
 
-def _grid(distances: Scale, errors: Scale) -> Iterator[Artist]:
+def grid(distances: Scale, errors: Scale) -> Iterator[Artist]:
+    """A thin line a tick, of both axes."""
     for place in distances.ticks[0]:
         yield Line2D((place, place), errors.limits, color=FAINT, linewidth=0.6)
     for place in errors.ticks[0]:
         yield Line2D(distances.limits, (place, place), color=FAINT, linewidth=0.6)
+
+
+def ticks(across: Scale, up: Scale, to_page: BboxTransform) -> Iterator[Text]:
+    """The numbers at the ticks, below the plot and left of it."""
+    for place, label in zip(*across.ticks, strict=True):
+        x, y = to_page.transform((place, up.limits[0]))
+        yield Text(x, y - GAP, label, color=INK, ha="center", va="top", transform=IdentityTransform())
+    for place, label in zip(*up.ticks, strict=True):
+        x, y = to_page.transform((across.limits[0], place))
+        yield Text(x - GAP, y, label, color=INK, ha="right", va="center", transform=IdentityTransform())
 
 
 def _points(result: RegimeResult, distances: Scale, errors: Scale) -> Iterator[Artist]:
@@ -203,7 +222,7 @@ def _label(result: RegimeResult) -> str:
     return f"Scaled error against {result.distance}: {tally(result.verdicts) or 'no cases'}{worst}"
 
 
-def _inline(canvas: Figure, name: str, label: str) -> str:
+def inline(canvas: Figure, name: str, label: str, size: tuple[int, int] = (WIDTH, HEIGHT)) -> str:
     """The figure as an element to stand inside HTML: described, with names of its own, and in the page's colours."""
     stream = io.StringIO()
     with mpl.rc_context({"svg.hashsalt": ascii(name)}):
@@ -212,7 +231,7 @@ def _inline(canvas: Figure, name: str, label: str) -> str:
     text = re.sub(
         r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text[text.index("<svg") :], flags=re.DOTALL
     )
-    head = f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{escape(label)}">'
+    head = f'<svg viewBox="0 0 {size[0]} {size[1]}" role="img" aria-label="{escape(label)}">'
     text = head + text[text.index(">") + 1 :]
     # Ids that nothing refers to would stand more than once on the page.
     text = re.sub(r' id="([^"]*)"', lambda found: found[0] if f"#{found[1]}" in text else "", text)

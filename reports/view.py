@@ -18,7 +18,7 @@ from affinecert.summary import GRAVITY
 
 MEANINGS: Mapping[Verdict, str] = {
     Verdict.OK: "The scaled error is within the bound; or the input is outside the domain, and was refused.",
-    Verdict.OTHER_BRANCH: "Another value of a many-valued logarithm: its exponential gives the input back.",
+    Verdict.OTHER_BRANCH: "Another value of a map that jumps: its inverse gives the input back, or an input beside has it.",
     Verdict.ABSENT: "The subject does not offer the map.",
     Verdict.DEGRADED: "The scaled error is beyond the bound, but half of the digits are left.",
     Verdict.WRONG: "More than half of the digits are lost; or a silent answer outside the domain.",

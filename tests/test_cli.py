@@ -67,7 +67,7 @@ def test_help_is_quick_and_imports_nothing_heavy() -> None:
     shown = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=True)
     assert shown.stderr == ""
     assert shown.stdout.splitlines()[-1] == "[]"
-    for command in ("certify", "maps", "explain", "replay", "hunt", "bench", "sweep", "laws"):
+    for command in ("certify", "compare", "maps", "explain", "replay", "hunt", "bench", "sweep", "laws"):
         assert f"\n  {command} " in shown.stdout
 
 

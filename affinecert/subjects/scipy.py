@@ -16,6 +16,7 @@ from scipy.spatial.transform import RigidTransform, Rotation
 
 from affinecert.map import Array
 from affinecert.subject import Subject
+from affinecert.subjects.preconditions import require_affine
 
 SHEAR_ROWS = (0, 1, 0, 1, 2)
 SHEAR_COLUMNS = (1, 1, 2, 2, 2)
@@ -23,13 +24,6 @@ SHEAR_COLUMNS = (1, 1, 2, 2, 2)
 
 NEGLIGIBLE = 1e6 * np.finfo(np.float64).eps
 """An imaginary part so small is rounding: the tolerance of `linalg.logm`, here relative to the largest entry."""
-
-
-def require_affine(affine: Array) -> None:
-    """Refuse what is no orientation-preserving affine map: `scipy.linalg` cannot, since it takes any square matrix."""
-    size = affine.shape[-1] - 1
-    if np.any(affine[:, size] != np.eye(size + 1)[size]) or np.any(np.linalg.slogdet(affine[:, :size, :size])[0] <= 0):
-        raise ValueError("not an orientation-preserving affine map")
 
 
 def logm(matrix: Array) -> Any:

@@ -1,0 +1,57 @@
+"""kornia: `kornia.geometry.conversions` for rotations, `Se3` for rigid motions, `Quaternion` for slerp.
+
+`So3`, which has other code than the conversions, is the subject `kornia_liegroup`.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import kornia
+from kornia.geometry import conversions
+from kornia.geometry.liegroup import Se3
+from kornia.geometry.quaternion import Quaternion
+
+from affinecert.subject import Subject
+from affinecert.subjects.on_tensors import on_tensors
+
+
+@on_tensors
+def se3_exp(twist: Any) -> Any:
+    """The poses (N, 4, 4) of twists (N, 6); kornia's have the translation first."""
+    return Se3.exp(twist.roll(3, -1)).matrix()
+
+
+@on_tensors
+def se3_log(pose: Any) -> Any:
+    """The twists (N, 6) of poses (N, 4, 4)."""
+    return Se3.from_matrix(pose).log().roll(3, -1)
+
+
+@on_tensors
+def quaternion_slerp(start: Any, end: Any, t: Any) -> Any:
+    """The quaternions (N, 4) at t (N,) between two."""
+    return Quaternion(start).slerp(Quaternion(end), t).data
+
+
+subject = Subject(
+    name="kornia",
+    version=kornia.__version__,
+    maps={
+        "so3.exp": on_tensors(conversions.axis_angle_to_rotation_matrix),
+        "so3.log": on_tensors(conversions.rotation_matrix_to_axis_angle),
+        "se3.exp": se3_exp,
+        "se3.log": se3_log,
+        "quaternion.slerp": quaternion_slerp,
+    },
+    conventions={
+        "quaternions": "(w, x, y, z), as here",
+        "twists": "(v, omega): the adapter swaps the halves",
+        "branch at pi": "documented: at real part exactly 0 the sign is that of the quaternion found",
+        "slerp": "normalises both, goes the shorter way; either way where they are orthogonal to the last bit",
+    },
+    policies={
+        "not a rotation": "documented: by default the matrix is not checked (check_rotation=True would refuse it)",
+        "not a unit quaternion": "normalize_quaternion: divides by the length, and leaves 0, documented, as it is",
+    },
+)

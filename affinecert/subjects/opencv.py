@@ -1,0 +1,57 @@
+"""OpenCV by its Python module: `cv2.Rodrigues`, in both directions, and `cv2.RQDecomp3x3`.
+
+Its templates Affine3, Quat and DualQuat, which have more of the catalogue's maps, are open to C++ alone.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from affinecert.map import Array
+from affinecert.subject import Subject
+from affinecert.subjects.preconditions import require_affine, require_rotations
+
+
+def so3_exp(omega: Array) -> Array:
+    """The rotation matrices (N, 3, 3) of rotation vectors (N, 3)."""
+    return np.stack([cv2.Rodrigues(item)[0] for item in omega])
+
+
+def so3_log(rotation: Array) -> Array:
+    """The rotation vectors (N, 3) of rotation matrices (N, 3, 3)."""
+    require_rotations(rotation)
+    return np.stack([cv2.Rodrigues(item)[0][:, 0] for item in rotation])
+
+
+def affine_lie_decompose(affine: Array) -> tuple[Array, Array, Array]:
+    """Rigid (N, 4, 4), shear (N, 3, 3) and scale (N,) of affine maps (N, 4, 4), by the RQ factorisation.
+
+    It leaves the signs of the triangle's diagonal free; here they are made positive.
+    """
+    require_affine(affine)
+    rigid = np.broadcast_to(np.eye(4), affine.shape).copy()
+    shear = np.empty((len(affine), 3, 3))
+    for item, pose, normal in zip(affine, rigid, shear, strict=True):
+        _, triangle, rotation, *_ = cv2.RQDecomp3x3(item[:3, :3].copy())
+        signs = np.copysign(1.0, np.diag(triangle))
+        pose[:3, :3] = signs[:, None] * rotation
+        normal[:] = triangle * signs
+        pose[:3, 3] = np.linalg.solve(normal, item[:3, 3])
+    scale = shear[:, 0, 0].copy()
+    return rigid, shear / scale[:, None, None], scale
+
+
+subject = Subject(
+    name="opencv",
+    version=cv2.__version__,
+    maps={"so3.exp": so3_exp, "so3.log": so3_log, "affine_lie.decompose": affine_lie_decompose},
+    conventions={
+        "vectors": "columns; matrices act from the left",
+        "rotation vectors": "in radians, of angle in [0, pi]",
+        "branch at pi": "in the source: the last of the axis's components that differ from zero is positive",
+        "rotations off the manifold": "Rodrigues takes the nearest orthogonal matrix, by its source; its documentation "
+        "asks for a rotation, and the adapter refuses what is none",
+        "triangular factor": "RQDecomp3x3: the diagonal is positive but for the first; the adapter makes all positive",
+    },
+)

@@ -1,0 +1,93 @@
+"""The findings in reports/findings hold: every snippet there prints what the text below it quotes."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+FOLDER = Path(__file__).parents[1] / "reports" / "findings"
+BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\s*^```text\n(.*?)^```)?", re.MULTILINE | re.DOTALL)
+
+# Runs the snippets of one file, each in a namespace of its own; what one printed before it raised is told too.
+RUNNER = """
+import contextlib, io, json, sys, traceback, warnings
+warnings.simplefilter("ignore")
+printed = []
+for snippet in json.load(sys.stdin):
+    with contextlib.redirect_stdout(io.StringIO()) as output:
+        try:
+            exec(compile(snippet, "snippet", "exec"), {"__name__": "snippet"})
+        except BaseException:
+            print(traceback.format_exc())
+    printed.append(output.getvalue())
+json.dump(printed, sys.stdout)
+"""
+
+
+@dataclass(frozen=True)
+class Snippet:
+    """One fenced block of Python, and what the text below it says that it prints."""
+
+    file: str
+    number: int
+    code: str
+    quoted: str | None
+
+
+def snippets() -> list[Snippet]:
+    found = []
+    for path in sorted(FOLDER.glob("*.md")):
+        blocks = BLOCK.findall(path.read_text(encoding="utf-8"))
+        found += [Snippet(path.name, k, code, quoted or None) for k, (code, quoted) in enumerate(blocks, 1)]
+    return found
+
+
+def missing(code: str) -> set[str]:
+    """The packages that a snippet imports and nobody has installed."""
+    names = set()
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.partition(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names.add((node.module or "").partition(".")[0])
+    return {name for name in names if find_spec(name) is None}
+
+
+@cache
+def printed(file: str) -> dict[int, str]:
+    """What the snippets of one file print, by their numbers, run in one process of their own."""
+    here = [snippet for snippet in snippets() if snippet.file == file and not missing(snippet.code)]
+    done = subprocess.run(
+        [sys.executable, "-c", RUNNER],
+        input=json.dumps([snippet.code for snippet in here]),
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    # A library may print while it is imported, outside of the snippets' own output.
+    outputs = json.loads(done.stdout.splitlines()[-1])
+    return {snippet.number: output for snippet, output in zip(here, outputs, strict=True)}
+
+
+def test_there_are_findings() -> None:
+    assert snippets()
+
+
+@pytest.mark.parametrize("snippet", snippets(), ids=lambda snippet: f"{Path(snippet.file).stem}-{snippet.number}")
+def test_a_snippet_prints_what_is_quoted(snippet: Snippet) -> None:
+    assert snippet.quoted is not None, f"{snippet.file}: no ```text block follows snippet {snippet.number}"
+    absent = missing(snippet.code)
+    if absent:
+        pytest.skip(f"not installed: {', '.join(sorted(absent))}")
+    assert printed(snippet.file)[snippet.number].strip() == snippet.quoted.strip()
