@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from affinecert.case import Case
+from affinecert.errors import SubjectError
 from affinecert.map import Array
 from affinecert.scoring import Answer
 from affinecert.subject import Subject
@@ -45,6 +46,8 @@ def _item(output: Array, index: int) -> Array:
 def _single(function: Callable[..., Any], inputs: Sequence[Array], dtype: str) -> Answer:
     try:
         return Answer(tuple(_item(output, 0) for output in _call(function, [array[None] for array in inputs], dtype)))
+    except SubjectError as error:
+        return Answer(None, _complaint(error), broken=True)
     except Exception as error:
         return Answer(None, _complaint(error))
 

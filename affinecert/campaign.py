@@ -64,13 +64,16 @@ def _silent(done: int, total: int, doing: str) -> None:
 
 
 def run_name(subject: Subject) -> str:
-    """A digest of what decides a subject's answers: its name and version, and the sources in its functions' folders."""
+    """A digest of what decides a subject's answers: its name and version, and the sources of its functions.
+
+    Those are all that lie in the folders of their modules, and the files that a function names itself, as ``sources``.
+    """
     digest = hashlib.sha256(repr((subject.name, subject.version, version("affinecert"))).encode())
     modules = {inspect.unwrap(function).__module__ for function in subject.maps.values()}
     folders = {Path(found).parent for name in modules if (found := getattr(sys.modules.get(name), "__file__", None))}
-    for folder in sorted(folders):
-        for source in sorted(folder.glob("*.py")):
-            digest.update(source.read_bytes())
+    named = {source for function in subject.maps.values() for source in getattr(function, "sources", ())}
+    for source in [*(path for folder in sorted(folders) for path in sorted(folder.glob("*.py"))), *sorted(named)]:
+        digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
 
 

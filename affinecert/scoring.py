@@ -51,10 +51,11 @@ class BlockScore:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a subject gave for one case: its outputs, or why there are none."""
+    """What a subject gave for one case: its outputs, or why there are none; ``broken`` if that is no refusal either."""
 
     outputs: tuple[Array, ...] | None
     complaint: str | None = None
+    broken: bool = False
 
 
 @dataclass(frozen=True)
@@ -145,25 +146,34 @@ def _undecided(entry: Map, truth: Truth, arithmetic: Arithmetic) -> bool:
     )
 
 
+def _lost(entry: Map) -> tuple[BlockScore, ...]:
+    return tuple(BlockScore(block.name, math.inf, math.inf, 0.0) for block in entry.blocks)
+
+
+def _raised(entry: Map, answer: Answer) -> Score:
+    return Score(Verdict.RAISED, _lost(entry), None, answer.complaint or "raised")
+
+
 def _outside(entry: Map, answer: Answer, refusal: str, policies: Mapping[str, str]) -> Score:
     """Outside the domain a refusal is right, raised or told by NaN or by a complex number; a silent answer is not.
 
-    Unless it is one that the subject's documentation promises.
+    Unless it is one that the subject's documentation promises. A breakdown is none.
     """
+    if answer.broken:
+        return _raised(entry, answer)
     if answer.outputs is None or not all(np.all(np.isfinite(o)) and np.isrealobj(o) for o in answer.outputs):
         return Score(Verdict.OK, (), None, f"rightly refused: {refusal}")
     for reason, policy in policies.items():
         if reason in refusal:
             return Score(Verdict.OK, (), None, f"outside the domain ({refusal}) a documented policy: {policy}")
-    blocks = tuple(BlockScore(block.name, math.inf, math.inf, 0.0) for block in entry.blocks)
-    return Score(Verdict.WRONG, blocks, None, f"a silent answer outside the domain: {refusal}")
+    return Score(Verdict.WRONG, _lost(entry), None, f"a silent answer outside the domain: {refusal}")
 
 
 def _unmeasured(entry: Map, answer: Answer, truth: Truth, arithmetic: Arithmetic) -> Score | None:
     """The verdict where there is nothing to measure: no outputs, misshapen ones, or not finite ones."""
-    lost = tuple(BlockScore(block.name, math.inf, math.inf, 0.0) for block in entry.blocks)
     if answer.outputs is None:
-        return Score(Verdict.RAISED, lost, None, answer.complaint or "raised")
+        return _raised(entry, answer)
+    lost = _lost(entry)
     complaint = _well_formed(answer.outputs, truth)
     if complaint == COMPLEX and _undecided(entry, truth, arithmetic):
         return Score(Verdict.OK, (), None, "complex, as values are at inputs that rounding cannot tell from this one")

@@ -16,6 +16,9 @@ from affinecert.errors import SubjectError, UnknownNameError
 GROUP = "affinecert.subjects"
 """The group of entry points that names subjects: affinecert's own, and those of other packages."""
 
+SCHEMES = {"exec": "affinecert.subjects.process"}
+"""What a spec may begin with instead of a module, and the module whose ``load`` makes a Subject of the rest."""
+
 
 @dataclass(frozen=True)
 class Subject:
@@ -58,8 +61,14 @@ def named() -> Mapping[str, EntryPoint]:
 def load(spec: str) -> Subject:
     """The subject of that name, or the one at ``module:attribute`` (the working folder is searched too).
 
+    Or the one that a command line runs, ``exec:./my_subject --flag`` (see `affinecert.subjects.process`).
+
     Raises UnknownNameError or SubjectError.
     """
+    scheme, _, rest = spec.partition(":")
+    if scheme in SCHEMES and scheme != spec:
+        loaded: Subject = importlib.import_module(SCHEMES[scheme]).load(rest)
+        return loaded
     place, hint = spec, ""
     if ":" not in spec:
         known = named()
