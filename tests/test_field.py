@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from functools import cache
+from pathlib import Path
 
 import pytest
 
-from affinecert import corpus
 from affinecert.case import Case
 from affinecert.judging import judge, truths_of
 from affinecert.scoring import Verdict
@@ -17,22 +16,10 @@ from affinecert.tier import batches
 from affinecert.truths import Truth
 
 from .field import REPORTS, Report
+from .field.page import page, reported_cases
 from .field.report import Formula, batched
 
-THREAD = re.compile(r"\b[\w.-]+/[\w.-]+#\d+")
-"""How a provenance names a thread of a public tracker: owner, repository and number."""
-
 NAMES = [f"{report.thread}-{report.map}-{report.verdict}" for report in REPORTS]
-
-
-@cache
-def reported_cases() -> dict[tuple[str, str], list[Case]]:
-    """The corpus cases of each thread and map."""
-    found: dict[tuple[str, str], list[Case]] = {}
-    for case in corpus.shipped():
-        for thread in THREAD.findall(case.provenance):
-            found.setdefault((thread, case.map), []).append(case)
-    return found
 
 
 @cache
@@ -80,3 +67,8 @@ def test_the_field_is_wide() -> None:
     assert len(threads) >= 60
     assert len({thread.partition("#")[0] for thread in threads}) >= 12
     assert len({case.key for cases in reported_cases().values() for case in cases}) >= 60
+
+
+def test_the_published_page_is_that_of_the_code() -> None:
+    published = Path(__file__).resolve().parents[1] / "reports" / "field.md"
+    assert published.read_text(encoding="utf-8") == page(), "python -m tests.field > reports/field.md"

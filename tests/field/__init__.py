@@ -11,4 +11,5 @@ from .report import REPORTS, Report
 __all__ = ["REPORTS", "Report"]
 
 for module in iter_modules(__path__):
-    import_module(f"{__name__}.{module.name}")
+    if module.name != "__main__":
+        import_module(f"{__name__}.{module.name}")

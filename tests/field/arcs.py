@@ -212,3 +212,18 @@ def always_opposite(start: Array, end: Array, t: float) -> Array:
     angle = np.arccos(product)
     second = np.sin(t * angle) / np.sqrt(1 - product**2)
     return np.asarray((np.cos(t * angle) - product * second) * start + second * end)
+
+
+@reported("toji/gl-matrix#66", "A typo in quat.slerp", "quaternion.slerp", slerp)
+def last_component_of_the_first(start: Array, end: Array, t: float) -> Array:
+    """One component of the end is that of the start."""
+    end = np.array([start[0], *end[1:]])
+    return along(start, end, t, math.acos(min(1.0, float(start @ end))))
+
+
+@reported("g-truc/glm#210", "fixed bug in quaternion slerp", "quaternion.slerp", slerp)
+def equal_but_for_the_sign(start: Array, end: Array, t: float) -> Array:
+    """The product is made positive for the angle, and close ends are mixed as they are: opposite ones cancel."""
+    if abs(float(start @ end)) > 1 - 1e-9:
+        return np.asarray((1 - t) * start + t * end)
+    return slerp(start, end, t)

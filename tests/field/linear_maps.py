@@ -260,3 +260,40 @@ def discriminant_divided(twist: Array) -> Array:
             [0.0, 0.0, np.exp(c)],
         ]
     )
+
+
+@reported(
+    "wpilibsuite/allwpilib#9194",
+    "[wpimath] Implement Matrix.exp() with EJML",
+    "shear.exp",
+    shear_exp,
+)
+def overscaled(twist: Array) -> Array:
+    """Scaling and squaring by the norm, which one large entry makes so small that the diagonal is rounded away."""
+    generator = np.array([[0.0, twist[0], twist[2]], [0.0, twist[1], twist[3]], [0.0, 0.0, twist[4]]])
+    squarings = max(0, math.frexp(np.linalg.norm(generator, 1))[1] + 1)
+    scaled = generator / 2**squarings
+    power, total = np.eye(3), np.eye(3)
+    for k in range(1, 15):
+        power = power @ scaled / k
+        total = total + power
+    for _ in range(squarings):
+        total = total @ total
+    return total
+
+
+def symmetric_power(matrix: Array, t: float) -> Array:
+    """The power of a symmetric matrix by its eigenvectors."""
+    values, vectors = np.linalg.eigh(matrix)
+    return np.asarray(vectors @ np.diag(values ** float(t)) @ vectors.T)
+
+
+@reported(
+    "fdaPDE/fdaPDE-core#29",
+    "Add checked native SPD matrices and symmetric spectral functions",
+    "sym3.power",
+    symmetric_power,
+)
+def exponent_truncated(matrix: Array, t: float) -> Array:
+    """The exponent passes through an integer: the root is the power 0."""
+    return symmetric_power(matrix, math.trunc(float(t)))

@@ -105,6 +105,13 @@ def conjugate(rotation: Array) -> Array:
     log,
     Verdict.OTHER_BRANCH,
 )
+@reported(
+    "facebookresearch/pytorch3d#1331",
+    "Norm of output from `pytorch3d.transforms.rotation_conversions.matrix_to_axis_angle` is not in [0,pi]",
+    "so3.log",
+    log,
+    Verdict.OTHER_BRANCH,
+)
 @reported("gaschler/rotationconverter#13", "Math Error", "so3.log", log, Verdict.OTHER_BRANCH)
 def pivot_positive(rotation: Array) -> Array:
     """The pivot is positive, so that w may be negative: the long way round."""
@@ -193,3 +200,17 @@ def pivot_of_nothing(rotation: Array) -> Array:
     w, y, z = vee(rotation)[0], rotation[0, 1] + rotation[1, 0], rotation[0, 2] + rotation[2, 0]
     q = np.array([w / (4 * x), x, y / (4 * x), z / (4 * x)])
     return any_angle(q)
+
+
+@reported("ros/geometry#102", "Quaternion::getAngleShortestPath", "so3.log", log)
+def angle_of_the_negative(rotation: Array) -> Array:
+    """The angle is that of the negated real part, the axis is not negated."""
+    q = quaternion(rotation)
+    return np.asarray(2 * math.acos(-q[0]) * q[1:] / math.hypot(*q[1:]))
+
+
+@reported("google/vector_math.dart#272", "Axis calculation of quaternions from small angles", "so3.log", log)
+def axis_above_a_threshold(rotation: Array) -> Array:
+    """No axis below 1 - w^2 = 5e-4, which is an angle of 2.56 degrees."""
+    q = quaternion(rotation)
+    return shortest(q) if 1 - q[0] ** 2 >= 5e-4 else np.zeros(3)

@@ -227,6 +227,7 @@ def rounded_to_pi(rotation: Array) -> Array:
     return np.asarray(-math.pi * axis)
 
 
+@reported("stack-of-tasks/pinocchio#1647", "Log3 corner case bug", "so3.log", log)
 @reported(
     "lagadic/visp#371",
     "Wrong conversion from vpRotationMatrix to vpThetaUVector for rotations around pi",
