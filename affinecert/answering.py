@@ -21,11 +21,11 @@ def _complaint(error: BaseException) -> str:
     return f"{type(error).__name__}: {error}"[:SHOWN]
 
 
-def _call(function: Callable[..., Any], inputs: Sequence[Array]) -> tuple[Array, ...]:
+def _call(function: Callable[..., Any], inputs: Sequence[Array], dtype: str) -> tuple[Array, ...]:
     """One call with copies, so that a subject that writes into its inputs spoils nobody else's."""
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        result = function(*(array.copy() for array in inputs))
+        result = function(*(array.astype(dtype) for array in inputs))
     outputs = result if isinstance(result, tuple) else (result,)
     arrays = tuple(np.asarray(output) for output in outputs)
     for array in arrays:
@@ -42,9 +42,9 @@ def _item(output: Array, index: int) -> Array:
     return np.asarray(item.real if np.iscomplexobj(item) and not np.any(item.imag) else item)
 
 
-def _single(function: Callable[..., Any], inputs: Sequence[Array]) -> Answer:
+def _single(function: Callable[..., Any], inputs: Sequence[Array], dtype: str) -> Answer:
     try:
-        return Answer(tuple(_item(output, 0) for output in _call(function, [array[None] for array in inputs])))
+        return Answer(tuple(_item(output, 0) for output in _call(function, [array[None] for array in inputs], dtype)))
     except Exception as error:
         return Answer(None, _complaint(error))
 
@@ -54,7 +54,7 @@ def answers(subject: Subject, cases: Sequence[Case]) -> list[Answer]:
     function = subject.maps[cases[0].map]
     batch = [np.stack(arrays) for arrays in zip(*(case.inputs for case in cases), strict=True)]
     try:
-        outputs = _call(function, batch)
+        outputs = _call(function, batch, subject.dtype)
     except Exception:
-        return [_single(function, case.inputs) for case in cases]
+        return [_single(function, case.inputs, subject.dtype) for case in cases]
     return [Answer(tuple(_item(output, index) for output in outputs)) for index in range(len(cases))]

@@ -12,7 +12,7 @@ import math
 import sys
 import time
 from collections import Counter, defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
@@ -24,7 +24,7 @@ from typing import Any, Protocol
 from pebble import ProcessExpired
 
 from affinecert import catalogue
-from affinecert.case import Case
+from affinecert.case import Case, rounded
 from affinecert.certificate import CaseResult, Certificate, LawRecord, MorphLawRecord, case_result, machine, plain
 from affinecert.errors import UnknownNameError
 from affinecert.executor import Executor, executor
@@ -220,6 +220,12 @@ def _why_lost(future: Future[Any], limit: float) -> str | None:
     raise error
 
 
+def _taken(cases: Iterable[Case], dtype: str) -> list[Case]:
+    """The cases as a subject of that dtype takes them, each once."""
+    taken = (rounded(case, dtype) for case in cases)
+    return list({case.key: case for case in taken if case is not None}.values())
+
+
 def certify(
     subject: str | Subject = "fast",
     *,
@@ -235,8 +241,8 @@ def certify(
 
     With more than one job the work is done in that many processes, and a case that gives no answer within ``limit``
     seconds is stopped and counts as raised; with one, in this process, where nothing can stop it. A Subject given as an
-    object must be picklable for more than one job. A run that was interrupted is gone on with, unless ``fresh``.
-    Raises UnknownNameError, SubjectError or StoredFileError.
+    object must be picklable for more than one job. Laws are tried on subjects that compute in float64. A run that was
+    interrupted is gone on with, unless ``fresh``. Raises UnknownNameError, SubjectError or StoredFileError.
     """
     if profile not in PROFILES:
         raise UnknownNameError("profile", profile, PROFILES)
@@ -244,14 +250,15 @@ def certify(
     entries = catalogue.matching(maps)
     loaded = resolve(subject)
     offered = [entry for entry in entries if entry.name in loaded.maps]
-    cases = list(select(offered, PROFILES[profile]))
-    run = run_name(loaded)
+    cases = _taken(select(offered, PROFILES[profile]), loaded.dtype)
+    run, exact = run_name(loaded), loaded.dtype == "float64"
     with Store(store) as kept, executor(jobs) as submit:
         if fresh:
             kept.forget(run)
         state = _Campaign(subject, run, kept, submit, progress, limit)
-        laws = state.schedule_laws([entry.name for entry in entries], PROFILES[profile])
-        rows = state.schedule_morphs([entry.name for entry in offered])
+        # What a law allows an answer to err by is told in float64's unit.
+        laws = state.schedule_laws([entry.name for entry in entries], PROFILES[profile]) if exact else []
+        rows = state.schedule_morphs([entry.name for entry in offered]) if exact else []
         state.go_on(cases, kept.verdicts(run))
         state.drain()
         timings = [submit(time_map, subject, entry.name, timeout=limit * 2) for entry in offered]
@@ -262,6 +269,7 @@ def certify(
         subject_version=loaded.version,
         spec=subject if isinstance(subject, str) else "MODULE:ATTRIBUTE",
         conventions=dict(loaded.conventions),
+        dtype=loaded.dtype,
         affinecert=version("affinecert"),
         profile=profile,
         maps=maps,

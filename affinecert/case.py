@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -34,6 +34,15 @@ class Case:
             digest.update(repr(array.shape).encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
         return digest.hexdigest()
+
+
+def rounded(case: Case, dtype: str) -> Case | None:
+    """The case whose inputs are rounded to a dtype, None if one is beyond it; of float64 the case itself."""
+    if dtype == "float64":
+        return case
+    with np.errstate(over="ignore"):
+        inputs = tuple(array.astype(dtype).astype(np.float64) for array in case.inputs)
+    return replace(case, inputs=inputs) if all(np.all(np.isfinite(array)) for array in inputs) else None
 
 
 def generate(entry: Map, regime: Regime, count: int, seed: int = 0) -> Iterator[Case]:

@@ -16,6 +16,7 @@ from typing import Any
 
 import jsonschema
 
+from affinecert.arithmetic import ARITHMETICS, Arithmetic
 from affinecert.errors import StoredFileError
 
 FORMAT = 2
@@ -124,6 +125,7 @@ class Certificate:
     """The record of a run; ``spec`` is what the subject is called on the command line.
 
     ``morph_laws`` is the law matrix, row by row. A law that a morph breaks is a property of the morph: no finding.
+    Errors are in the unit of the ``dtype`` that the subject computes in.
     """
 
     subject: str
@@ -141,6 +143,12 @@ class Certificate:
     timings: tuple[Timing, ...]
     absent: tuple[str, ...] = field(default=())
     morph_laws: tuple[MorphLawRecord, ...] = field(default=())
+    dtype: str = "float64"
+
+    @property
+    def arithmetic(self) -> Arithmetic:
+        """The numbers that the subject computes in."""
+        return ARITHMETICS[self.dtype]
 
     @property
     def cases(self) -> int:

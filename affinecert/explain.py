@@ -10,7 +10,7 @@ import numpy as np
 
 from affinecert import catalogue, truths
 from affinecert.answering import answers
-from affinecert.case import Case
+from affinecert.case import Case, rounded
 from affinecert.inputs import read_inputs
 from affinecert.judging import resolve, weigh
 from affinecert.map import Array, Map
@@ -69,8 +69,13 @@ def _reply(subject: Subject, entry: Map, case: Case, truth: Truth) -> Reply:
     if entry.name not in subject.maps:
         nothing = Answer(None, "the subject does not offer this map")
         return Reply(subject.name, subject.version, nothing, Score(Verdict.ABSENT, (), None, str(nothing.complaint)))
-    (answer,) = answers(subject, [case])
-    judged = weigh(entry, answer, truth, subject.policies)
+    taken = rounded(case, subject.dtype)
+    if taken is None:
+        nothing = Answer(None, f"the input is beyond {subject.dtype}")
+        return Reply(subject.name, subject.version, nothing, Score(Verdict.ABSENT, (), None, str(nothing.complaint)))
+    (answer,) = answers(subject, [taken])
+    at = truth if taken.key == case.key else truths.compute(entry, taken.inputs)
+    judged = weigh(entry, answer, at, subject)
     return Reply(subject.name, subject.version, answer, judged)
 
 

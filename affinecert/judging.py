@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -12,6 +12,7 @@ from hypothesis.configuration import set_hypothesis_home_dir
 
 from affinecert import truths
 from affinecert.answering import answers
+from affinecert.arithmetic import Arithmetic
 from affinecert.case import Case, generate, to_record
 from affinecert.catalogue import CATALOGUE
 from affinecert.certificate import CaseResult, LawRecord, MorphLawRecord, Timing
@@ -52,7 +53,9 @@ def measured(answer: Answer, truth: Truth) -> bool:
     )
 
 
-def backward_error(entry: Map, answer: Answer, truth: Truth, *, scaled: bool = False) -> float | None:
+def backward_error(
+    entry: Map, answer: Answer, truth: Truth, arithmetic: Arithmetic, *, scaled: bool = False
+) -> float | None:
     """How far the inverse map takes the answer from where it takes the truth, in u; None without an inverse.
 
     Relative to where it takes the truth, and if ``scaled``, over 1 + the inverse's condition there as well. Taken from
@@ -79,17 +82,20 @@ def backward_error(entry: Map, answer: Answer, truth: Truth, *, scaled: bool = F
             due_high[block.output][block.where] - low[block.output][block.where],
             due_low[block.output][block.where],
             allowed,
+            arithmetic,
         ).scaled
         for block, allowed in zip(inverse.blocks, sensitivity, strict=True)
     )
 
 
-def weigh(entry: Map, answer: Answer, truth: Truth, policies: Mapping[str, str]) -> Score:
-    """The score of an answer, with its backward error, which may show that it is right on another branch."""
-    judged = score(entry, answer, truth, policies=policies)
+def weigh(entry: Map, answer: Answer, truth: Truth, subject: Subject) -> Score:
+    """The score of a subject's answer, with its backward error, which may show that it is right on another branch."""
+    arithmetic, policies = subject.arithmetic, subject.policies
+    judged = score(entry, answer, truth, policies=policies, arithmetic=arithmetic)
     if judged.verdict is Verdict.WRONG and entry.continuation is not None:
-        judged = score(entry, answer, truth, backward_error(entry, answer, truth, scaled=True), policies)
-    return replace(judged, backward=backward_error(entry, answer, truth))
+        backward = backward_error(entry, answer, truth, arithmetic, scaled=True)
+        judged = score(entry, answer, truth, backward, policies, arithmetic)
+    return replace(judged, backward=backward_error(entry, answer, truth, arithmetic))
 
 
 def result(case: Case, judged: Score) -> CaseResult:
@@ -112,7 +118,7 @@ def judge(subject: str | Subject, cases: Sequence[Case], known: Sequence[Truth])
     entry = CATALOGUE[cases[0].map]
     asked = resolve(subject)
     return [
-        result(case, weigh(entry, answer, truth, asked.policies))
+        result(case, weigh(entry, answer, truth, asked))
         for case, answer, truth in zip(cases, answers(asked, cases), known, strict=True)
     ]
 
@@ -169,11 +175,10 @@ ROUND_SECONDS = 0.02
 
 def time_map(subject: str | Subject, name: str, batch: int = 10_000, rounds: int = 3) -> Timing | None:
     """The best time per item of a map on its first regime, repeated to the batch size; None if the subject refuses."""
-    entry = CATALOGUE[name]
-    function = resolve(subject).maps[name]
-    regime = entry.regimes[0]
-    cases = list(generate(entry, regime, 32))
-    columns = [np.stack(arrays) for arrays in zip(*(case.inputs for case in cases), strict=True)]
+    entry, asked = CATALOGUE[name], resolve(subject)
+    function = asked.maps[name]
+    cases = list(generate(entry, entry.regimes[0], 32))
+    columns = [np.stack(arrays).astype(asked.dtype) for arrays in zip(*(case.inputs for case in cases), strict=True)]
     size, best = 1, float("inf")
     try:
         while True:

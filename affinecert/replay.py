@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from affinecert import catalogue, certificate, corpus
-from affinecert.case import Case, from_record
+from affinecert.case import Case, from_record, rounded
 from affinecert.certificate import CaseResult
 from affinecert.errors import InputError, StoredFileError
 from affinecert.inputs import check_shapes
@@ -37,8 +37,9 @@ def _of_certificate(path: Path) -> tuple[Case, ...]:
 
 
 def replay(cases: Sequence[Case], subject: Subject) -> tuple[CaseResult, ...]:
-    """The results of the cases whose map the subject offers, in order."""
-    offered = [case for case in cases if case.map in subject.maps]
+    """The results of the cases whose map the subject offers, in order, rounded to the numbers that it computes in."""
+    taken = (rounded(case, subject.dtype) for case in cases if case.map in subject.maps)
+    offered = [case for case in taken if case is not None]
     results = {
         case.key: result
         for batch in batches(offered)

@@ -11,17 +11,9 @@ from types import MappingProxyType
 
 import numpy as np
 
+from affinecert.arithmetic import FLOAT64, Arithmetic
 from affinecert.map import Array, Map
 from affinecert.truths import Truth
-
-UNIT = 2.0**-53
-"""Half the distance from 1 to the next float64: the unit in which errors are told."""
-
-SMALLEST_NORMAL = 2.0**-1022
-"""Below it float64 keeps no relative accuracy, so truths are measured as if they were at least this large."""
-
-LOST_HALF = 2.0**26
-"""A scaled error of half of float64's 53 bits: beyond it an answer is wrong, not degraded."""
 
 
 class Verdict(StrEnum):
@@ -108,21 +100,24 @@ def quotient(numerator: float, denominator: float) -> float:
     return numerator / denominator if denominator > 0.0 else math.inf
 
 
-def block_score(name: str, answer: Array, high: Array, low: Array, sensitivity: float) -> BlockScore:
+def block_score(
+    name: str, answer: Array, high: Array, low: Array, sensitivity: float, arithmetic: Arithmetic = FLOAT64
+) -> BlockScore:
     """The errors of one block: |f - truth| over u |truth|, and over u (|truth| + sensitivity).
 
     The sensitivity is the absolute change that relative perturbations of the inputs make, that is condition times
     |truth|; in this form the scaled error |f - truth| / (u |truth| (1 + condition)) stands at truth 0 as well.
     """
     with np.errstate(over="ignore", invalid="ignore", under="ignore"):
-        # Where the value is beyond float64, the same infinity is its rounding: equal, though inf - inf is NaN.
-        error = length(np.where(answer == high, -low, (answer - high) - low))
-    size = max(length(high), SMALLEST_NORMAL)
+        # Where the value is beyond the arithmetic, the same infinity is its rounding: equal, though inf - inf is NaN.
+        rounded = np.where(np.abs(high) > arithmetic.largest, np.copysign(np.inf, high), high)
+        error = length(np.where(answer == rounded, np.where(np.isinf(rounded), 0.0, -low), (answer - high) - low))
+    size = max(length(high), arithmetic.smallest_normal)
     # Divided by u last: u times a size near the smallest normal number would underflow.
     return BlockScore(
         block=name,
-        forward=quotient(error, size) / UNIT,
-        scaled=quotient(error, size + sensitivity) / UNIT,
+        forward=quotient(error, size) / arithmetic.unit,
+        scaled=quotient(error, size + sensitivity) / arithmetic.unit,
         condition=quotient(sensitivity, size),
     )
 
@@ -141,10 +136,13 @@ def _well_formed(outputs: Sequence[Array], truth: Truth) -> str | None:
     return None
 
 
-def _undecided(entry: Map, truth: Truth) -> bool:
+def _undecided(entry: Map, truth: Truth, arithmetic: Arithmetic) -> bool:
     """Whether a rounding of the input changes the whole value, as it does beside the border of a domain."""
     sizes = (length(truth.high[block.output][block.where]) for block in entry.blocks)
-    return any(k * UNIT >= max(size, SMALLEST_NORMAL) for size, k in zip(sizes, truth.sensitivity, strict=True))
+    return any(
+        k * arithmetic.unit >= max(size, arithmetic.smallest_normal)
+        for size, k in zip(sizes, truth.sensitivity, strict=True)
+    )
 
 
 def _outside(entry: Map, answer: Answer, refusal: str, policies: Mapping[str, str]) -> Score:
@@ -161,33 +159,39 @@ def _outside(entry: Map, answer: Answer, refusal: str, policies: Mapping[str, st
     return Score(Verdict.WRONG, blocks, None, f"a silent answer outside the domain: {refusal}")
 
 
-def _unmeasured(entry: Map, answer: Answer, truth: Truth) -> Score | None:
+def _unmeasured(entry: Map, answer: Answer, truth: Truth, arithmetic: Arithmetic) -> Score | None:
     """The verdict where there is nothing to measure: no outputs, misshapen ones, or not finite ones."""
     lost = tuple(BlockScore(block.name, math.inf, math.inf, 0.0) for block in entry.blocks)
     if answer.outputs is None:
         return Score(Verdict.RAISED, lost, None, answer.complaint or "raised")
     complaint = _well_formed(answer.outputs, truth)
-    if complaint == COMPLEX and _undecided(entry, truth):
+    if complaint == COMPLEX and _undecided(entry, truth, arithmetic):
         return Score(Verdict.OK, (), None, "complex, as values are at inputs that rounding cannot tell from this one")
     if complaint is not None:
         return Score(Verdict.WRONG, lost, None, complaint)
     pairs = zip(answer.outputs, truth.high, strict=True)
-    if any(np.any(~np.isfinite(output) & np.isfinite(due)) for output, due in pairs):
+    if any(np.any(~np.isfinite(output) & (np.abs(due) <= arithmetic.largest)) for output, due in pairs):
         return Score(Verdict.NON_FINITE, lost, None, "not finite where a number is due")
     return None
 
 
 def score(
-    entry: Map, answer: Answer, truth: Truth, backward: float | None = None, policies: Mapping[str, str] = NO_POLICIES
+    entry: Map,
+    answer: Answer,
+    truth: Truth,
+    backward: float | None = None,
+    policies: Mapping[str, str] = NO_POLICIES,
+    arithmetic: Arithmetic = FLOAT64,
 ) -> Score:
     """The verdict of one answer.
 
     ``backward`` is how far the inverse map takes the answer from where it takes the truth, scaled, in u: an answer to a
-    logarithm that is wrong forward but right backward is another branch. ``policies`` are the subject's.
+    logarithm that is wrong forward but right backward is another branch. ``policies`` and ``arithmetic`` are the
+    subject's.
     """
     if truth.refusal is not None:
         return _outside(entry, answer, truth.refusal, policies)
-    unmeasured = _unmeasured(entry, answer, truth)
+    unmeasured = _unmeasured(entry, answer, truth, arithmetic)
     if unmeasured is not None or answer.outputs is None:
         return unmeasured or Score(Verdict.RAISED, (), None, "raised")
     outputs = answer.outputs
@@ -198,19 +202,20 @@ def score(
             truth.high[block.output][block.where],
             truth.low[block.output][block.where],
             sensitivity,
+            arithmetic,
         )
         for block, sensitivity in zip(entry.blocks, truth.sensitivity, strict=True)
     )
     worst = max(block.scaled for block in blocks)
     # Only a map that jumps, a logarithm, has other branches; anything else is wrong even where its inverse forgives.
-    verdict, note = _grade(worst, backward if entry.continuation else None, entry.bound)
+    verdict, note = _grade(worst, backward if entry.continuation else None, entry.bound, arithmetic)
     return Score(verdict, blocks, backward, note)
 
 
-def _grade(scaled: float, backward: float | None, bound: float) -> tuple[Verdict, str]:
+def _grade(scaled: float, backward: float | None, bound: float, arithmetic: Arithmetic) -> tuple[Verdict, str]:
     if scaled <= bound:
         return Verdict.OK, ""
-    if scaled <= LOST_HALF:
+    if scaled <= arithmetic.lost_half:
         return Verdict.DEGRADED, f"{math.log2(scaled / bound):.1f} bits beyond the bound"
     if backward is not None and backward <= bound:
         return Verdict.OTHER_BRANCH, "its exponential gives the input back"

@@ -10,6 +10,7 @@ from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any
 
+from affinecert.arithmetic import ARITHMETICS, Arithmetic
 from affinecert.errors import SubjectError, UnknownNameError
 
 GROUP = "affinecert.subjects"
@@ -27,6 +28,9 @@ class Subject:
 
     ``policies`` acquits documented answers outside a map's domain, such as the orthogonalising of any matrix: by words
     of the reference's reason ("not a rotation"), what the library's documentation promises there instead.
+
+    ``dtype`` is what it computes in, float64 or float32. A float32 subject gets float32 arrays, is held against the
+    truths at these very numbers, and its errors are told in units of 2^-24.
     """
 
     name: str
@@ -34,6 +38,12 @@ class Subject:
     maps: Mapping[str, Callable[..., Any]]
     conventions: Mapping[str, str] = field(default_factory=dict)
     policies: Mapping[str, str] = field(default_factory=dict)
+    dtype: str = "float64"
+
+    @property
+    def arithmetic(self) -> Arithmetic:
+        """The numbers that it computes in."""
+        return ARITHMETICS[self.dtype]
 
 
 def named() -> Mapping[str, EntryPoint]:
@@ -67,4 +77,6 @@ def load(spec: str) -> Subject:
     if not isinstance(subject, Subject):
         found = f"{attribute} is a {type(subject).__name__}" if hasattr(module, attribute) else f"no {attribute}"
         raise SubjectError(f"{spec!r} is not a Subject: {module_name} has {found}")
+    if subject.dtype not in ARITHMETICS:
+        raise SubjectError(f"{spec!r} has the dtype {subject.dtype!r}; known: {', '.join(ARITHMETICS)}")
     return subject

@@ -12,11 +12,11 @@ import numpy as np
 
 from affinecert import truths
 from affinecert.answering import answers
-from affinecert.case import Case, generate
+from affinecert.case import Case, generate, rounded
 from affinecert.errors import InputError, PrecisionError
 from affinecert.judging import backward_error
 from affinecert.map import Map
-from affinecert.scoring import LOST_HALF, Score, Verdict, score
+from affinecert.scoring import Answer, Score, Verdict, score
 from affinecert.store import Store, reference_version
 from affinecert.subject import Subject
 from affinecert.truths import Truth
@@ -49,8 +49,9 @@ class Trial:
         The scaled error is at most the forward error, and that needs the value alone, without the differences that the
         sensitivity takes: most proposals fall there.
         """
+        taken = rounded(case, self.subject.dtype)
         try:
-            return self._judged(case, floor)
+            return None if taken is None else self._judged(taken, floor)
         except PrecisionError:
             # The reference itself cannot settle this input: nothing can be said of the subject there.
             return None
@@ -60,7 +61,7 @@ class Trial:
         truth = self.store.truths(self._version, [case.key]).get(case.key)
         if truth is None:
             value = self._glance(case)
-            first = score(self.entry, answer, value)
+            first = self._score(answer, value)
             if value.refusal is not None or height(first) < floor:
                 return None
             if math.isinf(first.scaled):
@@ -68,11 +69,15 @@ class Trial:
             truth = truths.compute(self.entry, case.inputs)
         if truth.refusal is not None:
             return None
-        judged = score(self.entry, answer, truth)
+        judged = self._score(answer, truth)
         # Only a map with several determinations can be right on another branch.
-        if self.entry.continuation is None or judged.scaled <= LOST_HALF or math.isinf(judged.scaled):
+        arithmetic = self.subject.arithmetic
+        if self.entry.continuation is None or judged.scaled <= arithmetic.lost_half or math.isinf(judged.scaled):
             return judged
-        return score(self.entry, answer, truth, backward_error(self.entry, answer, truth, scaled=True))
+        return self._score(answer, truth, backward_error(self.entry, answer, truth, arithmetic, scaled=True))
+
+    def _score(self, answer: Answer, truth: Truth, backward: float | None = None) -> Score:
+        return score(self.entry, answer, truth, backward, arithmetic=self.subject.arithmetic)
 
     def warm_up(self) -> None:
         """Has the subject answer once, for that may import and compile."""

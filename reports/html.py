@@ -41,7 +41,8 @@ def html(certificate: Certificate) -> str:
     )
     environment.filters.update(figure=view.figure, error=view.error, tally=view.tally)
     maps = [
-        (entry, tuple(zip(entry.results, map(Markup, plots(entry)), strict=True))) for entry in view.maps(certificate)
+        (entry, tuple(zip(entry.results, map(Markup, plots(entry, certificate.arithmetic)), strict=True)))
+        for entry in view.maps(certificate)
     ]
     template = environment.get_template("certificate.html.jinja")
     return template.render(

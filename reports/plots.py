@@ -22,9 +22,10 @@ from matplotlib.patches import Rectangle  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 from matplotlib.transforms import Bbox, BboxTransform, IdentityTransform  # noqa: E402
 
+from affinecert.arithmetic import Arithmetic  # noqa: E402
 from affinecert.certificate import RegimeResult  # noqa: E402
 from affinecert.reports.view import MapView, error, tally  # noqa: E402
-from affinecert.scoring import LOST_HALF, Verdict  # noqa: E402
+from affinecert.scoring import Verdict  # noqa: E402
 
 COLOURS: Mapping[str, str] = {
     "#000001": "var(--ink)",
@@ -133,14 +134,14 @@ def _distance_scale(result: RegimeResult) -> Scale:
     return Scale(low, high, zero=0.0 in distances, infinity=math.inf in distances)
 
 
-def plots(view: MapView) -> tuple[str, ...]:
+def plots(view: MapView, arithmetic: Arithmetic) -> tuple[str, ...]:
     """An SVG element for each regime of a map, in order, on a common scale of errors."""
     errors = _error_scale(view)
     with mpl.rc_context({"svg.fonttype": "none", "font.size": 8.0, "path.simplify": False, "text.usetex": False}):
-        return tuple(_plot(result, view.bound, errors) for result in view.results)
+        return tuple(_plot(result, view.bound, arithmetic.lost_half, errors) for result in view.results)
 
 
-def _plot(result: RegimeResult, bound: float | None, errors: Scale) -> str:
+def _plot(result: RegimeResult, bound: float | None, lost_half: float, errors: Scale) -> str:
     """The plot of one regime, drawn by lines and texts alone: Matplotlib's axes would take three times as long."""
     canvas = Figure(figsize=(WIDTH / 72, HEIGHT / 72), dpi=72, facecolor="none")
     FigureCanvasSVG(canvas)
@@ -148,7 +149,7 @@ def _plot(result: RegimeResult, bound: float | None, errors: Scale) -> str:
     (left, right), (bottom, top) = distances.limits, errors.limits
     to_page = BboxTransform(Bbox.from_extents(left, bottom, right, top), Bbox.from_extents(*AREA))
     for artist in (
-        *_bound(bound, distances, errors),
+        *_bound(bound, lost_half, distances, errors),
         *_grid(distances, errors),
         *_points(result, distances, errors),
     ):
@@ -163,12 +164,12 @@ def _plot(result: RegimeResult, bound: float | None, errors: Scale) -> str:
     return _inline(canvas, f"{result.map}/{result.regime}", _label(result))
 
 
-def _bound(bound: float | None, distances: Scale, errors: Scale) -> Iterator[Artist]:
-    """The bound as a line; what lies beyond it is shaded, and half of float64's digits a thinner line."""
+def _bound(bound: float | None, lost_half: float, distances: Scale, errors: Scale) -> Iterator[Artist]:
+    """The bound as a line; what lies beyond it is shaded, and half of all digits a thinner line."""
     if not bound:  # unknown, or that of a predicate, whose answers are right or wrong
         return
     left, right = distances.limits
-    height, half = math.log10(bound), math.log10(LOST_HALF)
+    height, half = math.log10(bound), math.log10(lost_half)
     yield Rectangle((left, height), right - left, errors.limits[1] - height, color=BEYOND, linewidth=0)
     yield Line2D((left, right), (height, height), color=LIMIT, linewidth=1.0)
     if half < errors.high:

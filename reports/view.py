@@ -20,7 +20,7 @@ MEANINGS: Mapping[Verdict, str] = {
     Verdict.OK: "The scaled error is within the bound; or the input is outside the domain, and was refused.",
     Verdict.OTHER_BRANCH: "Another value of a many-valued logarithm: its exponential gives the input back.",
     Verdict.ABSENT: "The subject does not offer the map.",
-    Verdict.DEGRADED: "The scaled error is beyond the bound, but half of float64's digits are left.",
+    Verdict.DEGRADED: "The scaled error is beyond the bound, but half of the digits are left.",
     Verdict.WRONG: "More than half of the digits are lost; or a silent answer outside the domain.",
     Verdict.NON_FINITE: "NaN or infinity where a number is due.",
     Verdict.RAISED: "An exception, or no answer within the time limit, inside the domain.",

@@ -7,6 +7,7 @@ from collections import Counter
 
 import numpy as np
 
+from affinecert.arithmetic import FLOAT64
 from affinecert.case import Case, to_record
 from affinecert.certificate import (
     CaseResult,
@@ -17,7 +18,7 @@ from affinecert.certificate import (
     RegimeResult,
     Timing,
 )
-from affinecert.scoring import FINDINGS, LOST_HALF, Verdict
+from affinecert.scoring import FINDINGS, Verdict
 from affinecert.summary import GRAVITY
 
 BOUND = 16.0
@@ -43,7 +44,7 @@ def case_result(
 def verdict_of(scaled: float) -> Verdict:
     if scaled <= BOUND:
         return Verdict.OK
-    return Verdict.DEGRADED if scaled <= LOST_HALF else Verdict.WRONG
+    return Verdict.DEGRADED if scaled <= FLOAT64.lost_half else Verdict.WRONG
 
 
 def regime_result(map_: str, regime: str, results: list[CaseResult], distance: str = "angle") -> RegimeResult:

@@ -7,11 +7,12 @@ import math
 import numpy as np
 import pytest
 
+from affinecert.arithmetic import FLOAT64
 from affinecert.catalogue import find
 from affinecert.errors import InputError
 from affinecert.fast import se3, sim3, so3
 from affinecert.map import Array
-from affinecert.scoring import UNIT, block_score
+from affinecert.scoring import block_score
 from affinecert.truths import compute
 
 THIRD = math.pi / 3
@@ -148,7 +149,7 @@ def test_the_condition_number_beside_whole_turns() -> None:
     """At 2 pi rounded to float64, without growth, V's least singular value is its 2.4e-16 over 2 pi."""
     tangent = np.zeros(7)
     tangent[0] = 2 * math.pi
-    np.testing.assert_allclose(sim3.condition(tangent), 2 * math.pi / 2.4492935982947064e-16, rtol=4 * UNIT)
+    np.testing.assert_allclose(sim3.condition(tangent), 2 * math.pi / 2.4492935982947064e-16, rtol=4 * FLOAT64.unit)
     tangent[6] = 1e-3
     np.testing.assert_allclose(sim3.condition(tangent), 2 * math.pi / 1e-3, rtol=1e-6)
 

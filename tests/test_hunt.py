@@ -16,12 +16,12 @@ import numpy as np
 import pytest
 
 from affinecert import catalogue, corpus
+from affinecert.arithmetic import FLOAT64
 from affinecert.case import to_record
 from affinecert.climb import Arm, Ground, build, choose, learn, propose, shift
 from affinecert.errors import StoredFileError, SubjectError, UnknownNameError
 from affinecert.hunt import Catch, hunt
 from affinecert.map import Array
-from affinecert.scoring import UNIT
 from affinecert.subject import Subject
 from affinecert.subjects.printed import subject as printed
 
@@ -59,7 +59,7 @@ def told_by(catches: Iterable[Catch]) -> list[tuple[object, ...]]:
     ],
 )
 def test_the_prey_is_caught(name: str, regimes: str, loss: float, store: Path) -> None:
-    lost = [catch.forward * UNIT for regime, catch in caught(name, store).items() if fnmatch(regime, regimes)]
+    lost = [catch.forward * FLOAT64.unit for regime, catch in caught(name, store).items() if fnmatch(regime, regimes)]
     assert max(lost) >= loss
 
 

@@ -9,9 +9,10 @@ import pytest
 
 from affinecert import catalogue
 from affinecert.answering import answers
+from affinecert.arithmetic import FLOAT64
 from affinecert.case import Case, generate
 from affinecert.map import Array
-from affinecert.scoring import UNIT, Score, Verdict, score
+from affinecert.scoring import Score, Verdict, score
 from affinecert.subjects import printed, printed_sam
 from affinecert.subjects.printed import subject
 from affinecert.truths import compute
@@ -52,7 +53,7 @@ def test_every_branch_of_the_shears_is_right_as_printed(alpha_2: float, alpha_5:
 
 
 def test_so3_log_loses_eight_digits_at_a_hundred_thousandth_before_pi() -> None:
-    assert judged("so3.log", turn([1.0, 2.0, 3.0], math.pi - 1e-5)).forward * UNIT > 1e-8
+    assert judged("so3.log", turn([1.0, 2.0, 3.0], math.pi - 1e-5)).forward * FLOAT64.unit > 1e-8
 
 
 def test_so3_log_is_garbage_past_ten_millionths_before_pi() -> None:
@@ -60,14 +61,16 @@ def test_so3_log_is_garbage_past_ten_millionths_before_pi() -> None:
 
 
 def test_so3_log_by_the_trace_is_nothing_near_the_identity() -> None:
-    assert judged("so3.log", turn([1.0, 2.0, 3.0], 1e-9)).forward * UNIT >= 1
+    assert judged("so3.log", turn([1.0, 2.0, 3.0], 1e-9)).forward * FLOAT64.unit >= 1
 
 
 def test_the_coefficient_of_v_is_lost_at_a_hundred_millionth() -> None:
     theta = 1e-8
     left = printed.left_jacobian(np.array([0.0, 0.0, theta]))
     assert left[1, 0] == 0.0  # theta / 2 is due
-    assert judged("se3.exp", np.array([0.0, 0.0, theta, 1.0, 0.0, 0.0])).forward * UNIT == pytest.approx(theta / 2)
+    assert judged("se3.exp", np.array([0.0, 0.0, theta, 1.0, 0.0, 0.0])).forward * FLOAT64.unit == pytest.approx(
+        theta / 2
+    )
 
 
 def test_v_is_not_a_number_where_the_cube_underflows() -> None:
@@ -78,13 +81,13 @@ def test_v_is_not_a_number_where_the_cube_underflows() -> None:
 @pytest.mark.parametrize("angle", [1.0, 1e-6])
 def test_v_of_a_similarity_is_lost_as_the_growth_vanishes(growth: float, loss: float, angle: float) -> None:
     tangent = np.array([0.6 * angle, 0.0, -0.8 * angle, 1.0, 2.0, -0.5, growth])
-    assert loss < judged("sim3.exp", tangent).forward * UNIT < 100 * loss
+    assert loss < judged("sim3.exp", tangent).forward * FLOAT64.unit < 100 * loss
 
 
 def test_the_logarithm_of_a_similarity_by_the_trace_is_nothing_near_no_rotation() -> None:
     pose = np.eye(4)
     pose[:3, :3] = 2 * turn([1.0, 2.0, 3.0], 1e-9)
-    assert judged("sim3.log", pose).forward * UNIT >= 1
+    assert judged("sim3.log", pose).forward * FLOAT64.unit >= 1
 
 
 @pytest.mark.parametrize("growth", [0.0, 0.7, -3.0])
@@ -106,7 +109,7 @@ def test_half_turns_have_their_case_in_section_4() -> None:
 @pytest.mark.parametrize(("gap", "loss"), [(1e-6, 1e-5), (1e-15, 1.0)])
 def test_shear_exp_loses_by_the_square_of_the_gap(gap: float, loss: float) -> None:
     twists = [np.array([1.0, ratio * gap, 0.3, 0.7, gap]) for ratio in (2.0, 1.5, 3.1, -1.0)]
-    assert max(judged("shear.exp", twist).forward for twist in twists) * UNIT > loss
+    assert max(judged("shear.exp", twist).forward for twist in twists) * FLOAT64.unit > loss
 
 
 @pytest.mark.parametrize(("gap", "loss"), [(1e-6, 1e-10), (1e-15, 0.1)])
@@ -114,7 +117,7 @@ def test_shear_log_loses_by_the_gap(gap: float, loss: float) -> None:
     shears = [
         np.array([[1.0, 1.0, 0.3], [0.0, 1 + ratio * gap, 0.7], [0.0, 0.0, 1 + gap]]) for ratio in (2.0, 1.5, 3.1, -1.0)
     ]
-    assert max(judged("shear.log", shear).forward for shear in shears) * UNIT > loss
+    assert max(judged("shear.log", shear).forward for shear in shears) * FLOAT64.unit > loss
 
 
 def test_g1_is_lost_below_a_hundred_millionth() -> None:
@@ -123,7 +126,7 @@ def test_g1_is_lost_below_a_hundred_millionth() -> None:
         judged("sam.log", np.array([[stretch, -small, 1.0], [small, stretch, 2.0], [0.0, 0.0, 1.0]]))
         for stretch in (1 + 1e-8, 1 + 3e-8, 1 - 1e-8, 1 - 7e-9)
     ]
-    assert max(score.scaled for score in scores) * UNIT >= 0.01
+    assert max(score.scaled for score in scores) * FLOAT64.unit >= 0.01
 
 
 def test_the_double_positive_eigenvalue_is_forgotten() -> None:

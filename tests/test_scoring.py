@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from affinecert.arithmetic import FLOAT64
 from affinecert.map import Argument, Block, Group, Map
-from affinecert.scoring import LOST_HALF, UNIT, Answer, Score, Verdict, block_score, length, score
+from affinecert.scoring import Answer, Score, Verdict, block_score, length, score
 from affinecert.truths import Truth
 
 ENTRY = Map(
@@ -52,7 +53,7 @@ def test_the_exact_answer_is_ok_with_error_zero() -> None:
 
 def test_errors_are_told_in_units_of_u_relative_to_the_norm_of_the_block() -> None:
     result = judged(FIRST + np.array([0.0, 2.0**-50]))
-    assert result.blocks[0].forward == pytest.approx(2.0**-50 / 5 / UNIT)
+    assert result.blocks[0].forward == pytest.approx(2.0**-50 / 5 / FLOAT64.unit)
     assert result.forward == result.blocks[0].forward
 
 
@@ -80,18 +81,18 @@ def test_the_scaled_error_forgives_what_the_condition_explains() -> None:
     [
         (16, Verdict.OK),
         (17, Verdict.DEGRADED),
-        (LOST_HALF * 0.99, Verdict.DEGRADED),
-        (LOST_HALF * 1.01, Verdict.WRONG),
-        (1 / UNIT, Verdict.WRONG),
+        (FLOAT64.lost_half * 0.99, Verdict.DEGRADED),
+        (FLOAT64.lost_half * 1.01, Verdict.WRONG),
+        (1 / FLOAT64.unit, Verdict.WRONG),
     ],
 )
 def test_the_verdict_by_the_size_of_the_scaled_error(units: float, verdict: Verdict) -> None:
     due = truth(first=np.array([1.0, 0.0]))
-    assert judged(np.array([1.0, units * UNIT]), due=due).verdict is verdict
+    assert judged(np.array([1.0, units * FLOAT64.unit]), due=due).verdict is verdict
 
 
 def test_a_degraded_answer_says_how_many_bits_are_lost() -> None:
-    assert "6.0 bits" in judged(np.array([1.0, 1024 * UNIT]), due=truth(first=np.array([1.0, 0.0]))).note
+    assert "6.0 bits" in judged(np.array([1.0, 1024 * FLOAT64.unit]), due=truth(first=np.array([1.0, 0.0]))).note
 
 
 def test_the_worst_block_gives_the_verdict() -> None:
@@ -104,7 +105,7 @@ def test_the_worst_block_gives_the_verdict() -> None:
 def test_another_branch_is_wrong_forward_and_right_backward(backward: float | None, verdict: Verdict) -> None:
     result = judged(-FIRST, backward=backward)
     assert result.verdict is verdict
-    assert not math.isfinite(result.scaled) or result.scaled > LOST_HALF
+    assert not math.isfinite(result.scaled) or result.scaled > FLOAT64.lost_half
 
 
 def test_only_a_map_that_jumps_has_other_branches() -> None:
@@ -196,10 +197,10 @@ def test_a_truth_of_zero_wants_zero() -> None:
 
 def test_a_truth_of_zero_is_measured_against_its_sensitivity() -> None:
     due = truth(first=np.zeros(2), sensitivity=(1.0, 0.0, 0.0))
-    result = judged(np.array([2 * UNIT, 0.0]), due=due)
+    result = judged(np.array([2 * FLOAT64.unit, 0.0]), due=due)
     assert result.verdict is Verdict.OK
     assert result.blocks[0].scaled == pytest.approx(2.0)
-    assert result.blocks[0].forward > LOST_HALF
+    assert result.blocks[0].forward > FLOAT64.lost_half
 
 
 def test_gradual_underflow_is_no_error() -> None:
@@ -232,7 +233,7 @@ def test_norms_beyond_float64_do_not_raise() -> None:
     largest = np.full(4, sys.float_info.max)
     assert length(largest) == sys.float_info.max
     assert block_score("b", largest, largest, np.zeros(4), 0.0).scaled == 0.0
-    assert block_score("b", -largest, largest, np.zeros(4), 0.0).scaled > LOST_HALF
+    assert block_score("b", -largest, largest, np.zeros(4), 0.0).scaled > FLOAT64.lost_half
 
 
 def test_no_error_is_ever_nan() -> None:

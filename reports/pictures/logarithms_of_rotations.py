@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from affinecert.arithmetic import FLOAT64
 from affinecert.campaign import certify
-from affinecert.scoring import LOST_HALF
 
 SUBJECTS: Mapping[str, tuple[str, str, str]] = {
     "printed": ("the textbook formula", "#c2410c", "s"),
@@ -40,7 +40,7 @@ def draw() -> Figure:
             points = [(d, min(max(e, FLOOR), LOST)) for d, e, _ in result.points if d > 0]
             distances, errors = zip(*points, strict=True)
             panel.scatter(distances, errors, s=14, c=colour, marker=marker, label=label, linewidths=0)
-        panel.axhline(LOST_HALF, color="#94a3b8", linewidth=0.8, linestyle=(0, (4, 3)))
+        panel.axhline(FLOAT64.lost_half, color="#94a3b8", linewidth=0.8, linestyle=(0, (4, 3)))
         panel.set(xscale="log", yscale="log", xlabel=f"{distance} (radian)", title=f"log of a rotation, {regime}")
         panel.grid(color="#e2e8f0", linewidth=0.6)
         panel.set_axisbelow(True)
@@ -48,7 +48,7 @@ def draw() -> Figure:
     panels[0].legend(loc="upper right", frameon=True)
     panels[1].annotate(
         "half of the digits lost",
-        (panels[1].get_xlim()[0], LOST_HALF),
+        (panels[1].get_xlim()[0], FLOAT64.lost_half),
         (3, 3),
         textcoords="offset points",
         fontsize=8,

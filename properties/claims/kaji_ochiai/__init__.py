@@ -6,6 +6,7 @@ from types import ModuleType
 
 from affinecert.properties.claims.kaji_ochiai import (
     blending,
+    comparison,
     drawbacks,
     float_accuracy,
     interpolation_polynomials,
@@ -45,6 +46,7 @@ CHAPTERS: tuple[ModuleType, ...] = (
     precursors,
     lie_groups,
     drawbacks,
+    comparison,
     matrix_functions,
     interpolation_polynomials,
     shifted_polynomials,

@@ -238,10 +238,9 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         place="table 2",
         statement="Times, surjectivity, extrapolation, associativity and large rotation of four methods, cell by cell.",
         verdict=Verdict.UNCHECKABLE,
-        reason="Tables 1 and 2 and figure 1 are missing in the copy of the paper at hand.",
-        remark="What the entries find: ours is surjective, extrapolates, is associative and tells whole turns; Alexa's "
-        "is not surjective, extrapolates, is associative; polar factors with linear stretches are surjective and do "
-        "not extrapolate.",
+        reason="Tables 1 and 2 and figure 1 are missing in the copy of the paper at hand; times are of its hardware.",
+        remark="What the prose says of each row is checked cell by cell in kaji_ochiai.comparison; the numbers of "
+        "kaji_ochiai.comparison.own are the whole table, our cells for the lost ones included.",
     ),
     Claim(
         id="kaji_ochiai.7.straight_lines",

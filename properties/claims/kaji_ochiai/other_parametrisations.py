@@ -53,7 +53,7 @@ def redundancy(chart: Any, at: Array) -> int:
     return len(at) - sum(1 for each in eigenvalues if each > mp.mpf(10) ** -40)
 
 
-def _turned(q: Array) -> Array:
+def turned(q: Array) -> Array:
     """The rotation x -> q x q^-1 of a quaternion that is not 0."""
     return np.asarray(_scaled(q) / (q @ q))
 
@@ -69,7 +69,7 @@ def _through_origin(segment: tuple[Array, Array]) -> Number:
     p, q = segment
     step = q - p
     nearest = p + step * min(max(-(p @ step) / (step @ step), mp.zero), mp.one)
-    return max(size(nearest), difference(_turned(p), _turned(q)))
+    return max(size(nearest), difference(turned(p), turned(q)))
 
 
 def _law_of_motions(direct: bool = False) -> Any:
@@ -194,7 +194,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         statement="Invertible quaternions have one parameter more than the rotations: condition (IV) fails.",
         printed="dim = 4, greater by one than that of SO(3)",
         verdict=Verdict.CONFIRMED,
-        form=_turned,
+        form=turned,
         cases=lambda: [exactly([1, 0, 0, 0]), exactly([1, 2, -1, 3])],
         deviation=lambda chart, at: abs(redundancy(chart, at) - 1),
         copies=(Copy("x → q x q*, which scales too, for x → q x q⁻¹", _scaled),),

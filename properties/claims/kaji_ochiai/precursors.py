@@ -58,7 +58,7 @@ def _plane_motions() -> list[tuple[Number, Number, Number, Number]]:
     return [(p, q, r, shifts[0]) for p in units for r in units[1:] for q in shifts[1:]]
 
 
-def _motion_of_dual(numbers: Array) -> Array:
+def motion_of_dual(numbers: Array) -> Array:
     """The rigid motion of an invertible dual quaternion q + e r: it turns by q, and shifts by 2 (r q*) / |q|^2."""
     q, r = numbers[:4], numbers[4:]
     length = q @ q
@@ -71,7 +71,7 @@ def _motion_of_dual(numbers: Array) -> Array:
 
 def _turn_of_dual(numbers: Array) -> Array:
     """The turn only."""
-    return _motion_of_dual(numbers)[:3, :3]
+    return motion_of_dual(numbers)[:3, :3]
 
 
 def _straight(m: Context, first: Array, last: Array, t: Number) -> Array:
@@ -137,7 +137,7 @@ CLAIMS: tuple[Claim[Any, Any], ...] = (
         place="section 6, Clifford algebras",
         statement="Their parameter spaces are of greater dimension than the groups: dual quaternions by 2.",
         verdict=Verdict.CONFIRMED,
-        form=_motion_of_dual,
+        form=motion_of_dual,
         cases=lambda: [exactly([1, 0, 0, 0, 0, 0, 0, 0]), exactly([1, 2, -1, 1, 0.5, 1, 0, -2])],
         deviation=lambda chart, at: abs(redundancy(chart, at) - 2),
         copies=(Copy("their turns only", _turn_of_dual),),
