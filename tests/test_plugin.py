@@ -222,7 +222,7 @@ def test_bad_use_is_told(project: pytest.Pytester, arguments: tuple[str, ...], m
 @pytest.mark.parametrize(
     ("subject", "message"),
     [
-        ("fsat", "no subject is named x,
+        ("fsat", "no subject is named 'fsat'; did you mean fast*"),
         ("adapter_of_plugin:missing", "*is not a Subject: adapter_of_plugin has no missing"),
         ("adapter_of_plugin:nothing", "adapter_of_plugin:nothing offers no map of the catalogue"),
     ],
