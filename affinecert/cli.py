@@ -77,8 +77,9 @@ POSITIVE = click.FloatRange(min=0, min_open=True)
 def main() -> None:
     """Certify code for affine interpolation against arbitrary-precision truth.
 
-    SUBJECT is the implementation under test: fast (the built-in one), reference, printed, scipy, or your own as
-    module:attribute. Exit codes: 0 passed, 1 findings, 2 bad use.
+    SUBJECT is the implementation under test: a name (fast is the built-in one; scipy, jaxlie, pinocchio and others are
+    libraries), your own as module:attribute, or a program in any language as 'exec:COMMAND'. Exit codes: 0 passed,
+    1 findings, 2 bad use.
     """
 
 
