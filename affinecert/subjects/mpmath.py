@@ -15,7 +15,8 @@ from mpmath import mp
 
 from affinecert.map import Array
 from affinecert.subject import Subject
-from affinecert.subjects.scipy import SHEAR_COLUMNS, SHEAR_ROWS, require_affine
+from affinecert.subjects.preconditions import require_affine
+from affinecert.subjects.scipy import SHEAR_COLUMNS, SHEAR_ROWS
 
 NEGLIGIBLE = 1e6 * np.finfo(np.float64).eps
 """An imaginary part so small, relative to the largest entry, is rounding; the same for every subject."""
