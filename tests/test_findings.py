@@ -91,3 +91,19 @@ def test_a_snippet_prints_what_is_quoted(snippet: Snippet) -> None:
     if absent:
         pytest.skip(f"not installed: {', '.join(sorted(absent))}")
     assert printed(snippet.file)[snippet.number].strip() == snippet.quoted.strip()
+
+
+def test_the_index_tells_every_finding() -> None:
+    index = (FOLDER / "README.md").read_text(encoding="utf-8")
+    files = sorted(path for path in FOLDER.glob("*.md") if path.name != "README.md")
+    acquitted = ("Not counted", "Acquitted", "Looked at", "Degraded")
+    found = 0
+    for path in files:
+        assert f"]({path.name})" in index
+        heads = re.findall(r"^## (?:\d+\. )?(.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+        defects = [head for head in heads if not head.startswith(acquitted)]
+        assert [head for head in defects if head not in index] == []
+        found += len(defects)
+    told = f"{found} defects in released versions of {len(files)} libraries"
+    assert told in index
+    assert told in (FOLDER.parents[1] / "README.md").read_text(encoding="utf-8")

@@ -115,6 +115,51 @@ def sam_power(affine: Array, t: Array) -> Any:
     return computed(mp.powm, affine, t)
 
 
+SNIPPETS = {
+    "so3.exp": """import mpmath, numpy as np
+x, y, z = {input0}
+rotation = mpmath.expm(mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]))
+print(np.array(rotation.tolist(), float).tolist())""",
+    "so3.log": """import mpmath, numpy as np
+L = np.array(mpmath.logm(mpmath.matrix({input0})).tolist(), complex)
+vector = np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]]) / 2
+print(np.real_if_close(vector, tol=1e6).tolist())""",
+    "se3.exp": """import mpmath, numpy as np
+a, b, c, x, y, z = {input0}
+pose = mpmath.expm(mpmath.matrix([[0, -c, b, x], [c, 0, -a, y], [-b, a, 0, z], [0, 0, 0, 0]]))
+print(np.array(pose.tolist(), float).tolist())""",
+    "se3.log": """import mpmath, numpy as np
+L = np.array(mpmath.logm(mpmath.matrix({input0})).tolist(), complex)
+vector = np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]]) / 2
+print(np.real_if_close([*vector, *L[:3, 3]], tol=1e6).tolist())""",
+    "sim3.exp": """import mpmath, numpy as np
+a, b, c, x, y, z, g = {input0}
+pose = mpmath.expm(mpmath.matrix([[g, -c, b, x], [c, g, -a, y], [-b, a, g, z], [0, 0, 0, 0]]))
+print(np.array(pose.tolist(), float).tolist())""",
+    "sim3.log": """import mpmath, numpy as np
+L = np.array(mpmath.logm(mpmath.matrix({input0})).tolist(), complex)
+vector = np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]]) / 2
+print(np.real_if_close([*vector, *L[:3, 3], np.trace(L) / 3], tol=1e6).tolist())""",
+    "shear.exp": """import mpmath, numpy as np
+a, b, c, d, e = {input0}
+shear = mpmath.expm(mpmath.matrix([[0, a, c], [0, b, d], [0, 0, e]]))
+print(np.array(shear.tolist(), float).tolist())""",
+    "shear.log": """import mpmath, numpy as np
+logarithm = np.array(mpmath.logm(mpmath.matrix({input0})).tolist(), complex)
+print(np.real_if_close(logarithm[[0, 1, 0, 1, 2], [1, 1, 2, 2, 2]], tol=1e6).tolist())""",
+    "sym3.exp": """import mpmath, numpy as np
+exponential = mpmath.expm(mpmath.matrix({input0}))
+print(np.array(exponential.tolist(), float).tolist())""",
+    "sym3.log": """import mpmath, numpy as np
+logarithm = mpmath.logm(mpmath.matrix({input0}))
+print(np.real_if_close(np.array(logarithm.tolist(), complex), tol=1e6).tolist())""",
+    "sym3.power": """import mpmath, numpy as np
+power = mpmath.powm(mpmath.matrix({input0}), mpmath.mpf({input1}))
+print(np.real_if_close(np.array(power.tolist(), complex), tol=1e6).tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+SNIPPETS |= {"sam.log": SNIPPETS["sym3.log"], "sam.power": SNIPPETS["sym3.power"]}
+
 subject = Subject(
     name="mpmath",
     version=mpmath.__version__,
@@ -140,4 +185,5 @@ subject = Subject(
         "matrix power": "mp.powm: exp(t log A), by way of mp.logm; an imaginary part below 2e-10 is dropped",
         "manifolds": "any square matrix is taken; the adapter reads the twist off, and refuses what is no affine map",
     },
+    snippets=SNIPPETS,
 )

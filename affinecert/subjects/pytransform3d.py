@@ -60,6 +60,32 @@ def polar_decompose(linear: Array) -> tuple[Array, Array]:
     return rotation, np.swapaxes(rotation, 1, 2) @ linear
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+from pytransform3d.rotations import matrix_from_compact_axis_angle
+print(matrix_from_compact_axis_angle(np.array({input0})).tolist())""",
+    "so3.log": """import numpy as np
+from pytransform3d.rotations import compact_axis_angle_from_matrix
+print(compact_axis_angle_from_matrix(np.array({input0})).tolist())""",
+    "se3.exp": """import numpy as np
+from pytransform3d.transformations import transform_from_exponential_coordinates
+print(transform_from_exponential_coordinates(np.array({input0})).tolist())""",
+    "se3.log": """import numpy as np
+from pytransform3d.transformations import exponential_coordinates_from_transform
+print(exponential_coordinates_from_transform(np.array({input0})).tolist())""",
+    "quaternion.slerp": """import numpy as np
+from pytransform3d.rotations import quaternion_slerp
+print(quaternion_slerp(np.array({input0}), np.array({input1}), {input2}, shortest_path=True).tolist())""",
+    "morphs.sclerp": """import numpy as np
+from pytransform3d.transformations import transform_sclerp
+print(transform_sclerp(np.array({input0}), np.array({input1}), {input2}).tolist())""",
+    "polar.decompose": """import numpy as np
+from pytransform3d.rotations import robust_polar_decomposition
+L = np.array({input0}); n = len(L); solid = np.eye(3); solid[:n, :n] = L; R = robust_polar_decomposition(solid)[:n, :n]
+print([R.tolist(), (R.T @ L).tolist()])""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="pytransform3d",
     version=version("pytransform3d"),
@@ -82,4 +108,5 @@ subject = Subject(
         "polar factors": "robust_polar_decomposition, with its default of 20 steps; the adapter multiplies out R^T L",
     },
     policies={"not a unit quaternion": "quaternion_slerp normalises: check_quaternion has unit=True as default"},
+    snippets=SNIPPETS,
 )

@@ -118,6 +118,44 @@ def sam_velocity(affine: Array, point: Array) -> Any:
     return (generator[:, :-1, :-1] @ point[:, :, None])[:, :, 0] + generator[:, :-1, -1]
 
 
+SNIPPETS = {
+    "so3.exp": """from scipy.spatial.transform import Rotation
+rotation = Rotation.from_rotvec({input0})
+print(rotation.as_matrix().tolist())""",
+    "so3.log": """from scipy.spatial.transform import Rotation
+rotation = Rotation.from_matrix({input0})
+print(rotation.as_rotvec().tolist())""",
+    "se3.exp": """from scipy.spatial.transform import RigidTransform
+pose = RigidTransform.from_exp_coords({input0})
+print(pose.as_matrix().tolist())""",
+    "se3.log": """from scipy.spatial.transform import RigidTransform
+pose = RigidTransform.from_matrix({input0})
+print(pose.as_exp_coords().tolist())""",
+    "shear.exp": """from scipy.linalg import expm
+a, b, c, d, e = {input0}
+print(expm([[0, a, c], [0, b, d], [0, 0, e]]).tolist())""",
+    "shear.log": """from scipy.linalg import logm
+logarithm = logm({input0})
+print(logarithm[[0, 1, 0, 1, 2], [1, 1, 2, 2, 2]].tolist())""",
+    "polar.decompose": """from scipy.linalg import polar
+rotation, stretch = polar({input0})
+print([rotation.tolist(), stretch.tolist()])""",
+    "affine_lie.decompose": """import numpy as np, scipy
+A = np.array({input0}); K, Q = scipy.linalg.rq(A[:3, :3]); s = np.copysign(1.0, np.diag(K)); K = K * s
+rigid = [*np.c_[s[:, None] * Q, scipy.linalg.solve_triangular(K, A[:3, 3])].tolist(), [0.0, 0.0, 0.0, 1.0]]
+print([rigid, (K / K[0, 0]).tolist(), K[0, 0].tolist()])""",
+    "sam.log": """from scipy.linalg import logm
+affine = {input0}
+print(logm(affine).tolist())""",
+    "sam.power": """import numpy as np, scipy
+power = scipy.linalg.fractional_matrix_power({input0}, {input1})
+print(np.real_if_close(power, tol=1e6).tolist())""",
+    "sam.velocity": """import scipy
+generator = scipy.linalg.logm({input0})
+print((generator[:-1, :-1] @ {input1} + generator[:-1, -1]).tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="scipy",
     version=scipy.__version__,
@@ -149,4 +187,5 @@ subject = Subject(
     policies={
         "not a rotation": "Rotation.from_matrix and RigidTransform.from_matrix orthogonalise what they are given"
     },
+    snippets=SNIPPETS,
 )

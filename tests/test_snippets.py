@@ -1,0 +1,70 @@
+"""The snippets of our subjects: each is run, and prints what its adapter answers."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from contextlib import redirect_stdout
+from typing import Any
+
+import numpy as np
+import pytest
+
+from affinecert.answering import answers
+from affinecert.case import Case, generate, rounded, to_hex
+from affinecert.catalogue import CATALOGUE
+from affinecert.errors import SubjectError
+from affinecert.snippet import fill
+from affinecert.subject import Subject, load, named
+
+OWN = sorted(name for name, entry in named().items() if entry.module.startswith("affinecert.subjects."))
+WITHOUT = {"fast", "printed", "reference"}
+"""Our own, which are no libraries of their own."""
+
+
+def loaded(name: str) -> Subject:
+    try:
+        return load(name)
+    except SubjectError as error:
+        pytest.skip(str(error))
+
+
+def cases(map_: str, dtype: str) -> list[Case]:
+    """The first case of the first regime, and of those near a half turn or the identity."""
+    entry = CATALOGUE[map_]
+    chosen = [regime for k, regime in enumerate(entry.regimes) if k == 0 or regime.name in {"near-pi", "near-identity"}]
+    found = [rounded(case, dtype) for regime in chosen for case in generate(entry, regime, 1)]
+    return [case for case in found if case is not None]
+
+
+def printed(snippet: str) -> Any:
+    """What a snippet prints on its last line: nested lists of numbers."""
+    with warnings.catch_warnings(), np.errstate(all="ignore"), redirect_stdout(io.StringIO()) as output:
+        warnings.simplefilter("ignore")
+        exec(compile(snippet, "snippet", "exec"), {"__name__": "snippet"})
+    return eval(output.getvalue().splitlines()[-1], {"nan": np.nan, "inf": np.inf})
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_every_library_has_snippets_and_for_its_own_maps(name: str) -> None:
+    subject = loaded(name)
+    assert set(subject.snippets) <= set(subject.maps)
+    assert bool(subject.snippets) != (name in WITHOUT)
+    assert all(snippet.count("\n") < 4 for snippet in subject.snippets.values())
+
+
+@pytest.mark.parametrize("name", sorted(set(OWN) - WITHOUT))
+def test_a_snippet_prints_what_the_adapter_answers(name: str) -> None:
+    subject = loaded(name)
+    tolerance = 1e-12 * subject.arithmetic.unit / 2.0**-53
+    for map_, snippet in subject.snippets.items():
+        for case in cases(map_, subject.dtype):
+            # Two of a kind, for a library may have other code for a batch than for one item.
+            answer = answers(subject, [case, case])[0]
+            assert answer.outputs is not None, (map_, case.regime, answer.note)
+            values = printed(fill(snippet, [to_hex(array) for array in case.inputs], map_))
+            for value, output in zip(values if len(answer.outputs) > 1 else [values], answer.outputs, strict=True):
+                assert np.shape(value) == output.shape, (map_, case.regime)
+                np.testing.assert_allclose(
+                    value, output, rtol=0, atol=tolerance * np.max(np.abs(output)), err_msg=f"{map_}, {case.regime}"
+                )
