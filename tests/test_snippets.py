@@ -61,7 +61,7 @@ def test_a_snippet_prints_what_the_adapter_answers(name: str) -> None:
         for case in cases(map_, subject.dtype):
             # Two of a kind, for a library may have other code for a batch than for one item.
             answer = answers(subject, [case, case])[0]
-            assert answer.outputs is not None, (map_, case.regime, answer.note)
+            assert answer.outputs is not None, (map_, case.regime, answer.complaint)
             values = printed(fill(snippet, [to_hex(array) for array in case.inputs], map_))
             for value, output in zip(values if len(answer.outputs) > 1 else [values], answer.outputs, strict=True):
                 assert np.shape(value) == output.shape, (map_, case.regime)

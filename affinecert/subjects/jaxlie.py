@@ -95,11 +95,36 @@ CONVENTIONS = {
     "planar groups": "SO2 and SE2 are left out: the catalogue has no map of the rigid motions of the plane alone",
 }
 
+SNIPPETS = {
+    "so3.exp": """import jax, jaxlie
+with jax.enable_x64(True):
+    print(jaxlie.SO3.exp(jax.numpy.array({input0})).as_matrix().tolist())""",
+    "so3.log": """import jax, jaxlie
+with jax.enable_x64(True):
+    print(jaxlie.SO3.from_matrix(jax.numpy.array({input0})).log().tolist())""",
+    "se3.exp": """import jax, jaxlie
+with jax.enable_x64(True):
+    print(jaxlie.SE3.exp(jax.numpy.roll(jax.numpy.array({input0}), 3)).as_matrix().tolist())""",
+    "se3.log": """import jax, jaxlie
+with jax.enable_x64(True):
+    print(jax.numpy.roll(jaxlie.SE3.from_matrix(jax.numpy.array({input0})).log(), 3).tolist())""",
+    "quaternion.slerp": """import jax, jaxlie, numpy as np
+with jax.enable_x64(True):
+    p, q = (jaxlie.SO3(jax.numpy.array(np.array(x) / np.linalg.norm(x, axis=-1))) for x in ({input0}, {input1}))
+    print(jaxlie.manifold.rplus(p, {input2} * jaxlie.manifold.rminus(p, q)).wxyz.tolist())""",
+    "morphs.sclerp": """import jax, jaxlie
+with jax.enable_x64(True):
+    b, c = (jaxlie.SE3.from_matrix(jax.numpy.array(pose)) for pose in ({input0}, {input1}))
+    print(jaxlie.manifold.rplus(b, {input2} * jaxlie.manifold.rminus(b, c)).as_matrix().tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="jaxlie",
     version=version("jaxlie"),
     maps={name: numbers(function, wide=True) for name, function in MAPS.items()},
     conventions={**CONVENTIONS, "numbers": "float64, jax_enable_x64 being on"},
+    snippets=SNIPPETS,
 )
 
 subject32 = Subject(
@@ -108,4 +133,5 @@ subject32 = Subject(
     maps={name: numbers(function, wide=False) for name, function in MAPS.items()},
     conventions={**CONVENTIONS, "numbers": "float32, JAX's default"},
     dtype="float32",
+    snippets={name: snippet.replace("True", "False") for name, snippet in SNIPPETS.items()},
 )

@@ -34,6 +34,26 @@ def quaternion_slerp(start: Any, end: Any, t: Any) -> Any:
     return Quaternion(start).slerp(Quaternion(end), t).data
 
 
+SNIPPETS = {
+    "so3.exp": """import torch
+from kornia.geometry.conversions import axis_angle_to_rotation_matrix
+print(axis_angle_to_rotation_matrix(torch.tensor([{input0}], dtype=torch.float64))[0].tolist())""",
+    "so3.log": """import torch
+from kornia.geometry.conversions import rotation_matrix_to_axis_angle
+print(rotation_matrix_to_axis_angle(torch.tensor([{input0}], dtype=torch.float64))[0].tolist())""",
+    "se3.exp": """import torch
+from kornia.geometry.liegroup import Se3
+print(Se3.exp(torch.tensor([{input0}], dtype=torch.float64).roll(3, -1)).matrix()[0].tolist())""",
+    "se3.log": """import torch
+from kornia.geometry.liegroup import Se3
+print(Se3.from_matrix(torch.tensor([{input0}], dtype=torch.float64)).log().roll(3, -1)[0].tolist())""",
+    "quaternion.slerp": """import torch
+from kornia.geometry.quaternion import Quaternion
+p, q, t = (torch.tensor([x], dtype=torch.float64) for x in ({input0}, {input1}, {input2}))
+print(Quaternion(p).slerp(Quaternion(q), t).data[0].tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="kornia",
     version=kornia.__version__,
@@ -54,4 +74,5 @@ subject = Subject(
         "not a rotation": "documented: by default the matrix is not checked (check_rotation=True would refuse it)",
         "not a unit quaternion": "normalize_quaternion: divides by the length, and leaves 0, documented, as it is",
     },
+    snippets=SNIPPETS,
 )

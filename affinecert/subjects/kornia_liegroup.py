@@ -23,6 +23,16 @@ def so3_log(rotation: Any) -> Any:
     return So3.from_matrix(rotation).log()
 
 
+SNIPPETS = {
+    "so3.exp": """import torch
+from kornia.geometry.liegroup import So3
+print(So3.exp(torch.tensor([{input0}], dtype=torch.float64)).matrix()[0].tolist())""",
+    "so3.log": """import torch
+from kornia.geometry.liegroup import So3
+print(So3.from_matrix(torch.tensor([{input0}], dtype=torch.float64)).log()[0].tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="kornia_liegroup",
     version=kornia.__version__,
@@ -34,4 +44,5 @@ subject = Subject(
     policies={
         "not a rotation": "documented: by default the matrix is not checked (check_rotation=True would refuse it)",
     },
+    snippets=SNIPPETS,
 )

@@ -42,6 +42,20 @@ def affine_lie_decompose(affine: Array) -> tuple[Array, Array, Array]:
     return rigid, shear / scale[:, None, None], scale
 
 
+SNIPPETS = {
+    "so3.exp": """import cv2, numpy as np
+rotation, _ = cv2.Rodrigues(np.array({input0}))
+print(rotation.tolist())""",
+    "so3.log": """import cv2, numpy as np
+omega, _ = cv2.Rodrigues(np.array({input0}))
+print(omega[:, 0].tolist())""",
+    "affine_lie.decompose": """import cv2, numpy as np
+A = np.array({input0}); _, K, Q, *_ = cv2.RQDecomp3x3(A[:3, :3].copy()); s = np.copysign(1.0, np.diag(K)); K = K * s
+rigid = [*np.c_[s[:, None] * Q, np.linalg.solve(K, A[:3, 3])].tolist(), [0.0, 0.0, 0.0, 1.0]]
+print([rigid, (K / K[0, 0]).tolist(), K[0, 0].tolist()])""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="opencv",
     version=cv2.__version__,
@@ -54,4 +68,5 @@ subject = Subject(
         "asks for a rotation, and the adapter refuses what is none",
         "triangular factor": "RQDecomp3x3: the diagonal is positive but for the first; the adapter makes all positive",
     },
+    snippets=SNIPPETS,
 )

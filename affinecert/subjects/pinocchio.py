@@ -43,6 +43,30 @@ def sclerp(start: Array, end: Array, t: Array) -> Array:
     return np.stack([pin.SE3.Interpolate(pin.SE3(b), pin.SE3(c), float(time)).homogeneous for b, c, time in triples])
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+import pinocchio as pin
+print(pin.exp3(np.array({input0})).tolist())""",
+    "so3.log": """import numpy as np
+import pinocchio as pin
+print(pin.log3(np.array({input0})).tolist())""",
+    "se3.exp": """import numpy as np
+import pinocchio as pin
+print(pin.exp6(np.roll({input0}, 3)).homogeneous.tolist())""",
+    "se3.log": """import numpy as np
+import pinocchio as pin
+print(np.roll(pin.log6(np.array({input0})).vector, 3).tolist())""",
+    "quaternion.slerp": """import numpy as np
+import pinocchio as pin
+p, q = (pin.Quaternion(*(np.array(x) / np.linalg.norm(x, axis=-1))) for x in ({input0}, {input1}))
+print(np.roll(p.slerp({input2}, q).coeffs(), 1).tolist())""",
+    "morphs.sclerp": """import numpy as np
+import pinocchio as pin
+start, end = pin.SE3(np.array({input0})), pin.SE3(np.array({input1}))
+print(pin.SE3.Interpolate(start, end, {input2}).homogeneous.tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="pinocchio",
     version=pin.__version__,
@@ -64,4 +88,5 @@ subject = Subject(
         "screw motion": "SE3.Interpolate(B, C, t) = B exp6(t log6(B^-1 C))",
         "planar groups": "liegroups.SO2 and SE2 are left out: the catalogue has no rigid motions of the plane alone",
     },
+    snippets=SNIPPETS,
 )

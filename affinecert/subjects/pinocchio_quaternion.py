@@ -47,6 +47,30 @@ def sclerp(start: Array, end: Array, t: Array) -> Array:
     return np.stack([pin.XYZQUATToSE3(item).homogeneous for item in between])
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+import pinocchio as pin
+print(pin.Quaternion(pin.exp3_quat(np.array({input0}))).matrix().tolist())""",
+    "so3.log": """import numpy as np
+import pinocchio as pin
+print(pin.log3(pin.Quaternion(np.array({input0})).coeffs()).tolist())""",
+    "se3.exp": """import numpy as np
+import pinocchio as pin
+print(pin.XYZQUATToSE3(pin.exp6_quat(np.roll({input0}, 3))).homogeneous.tolist())""",
+    "se3.log": """import numpy as np
+import pinocchio as pin
+print(np.roll(pin.log6_quat(pin.SE3ToXYZQUAT(pin.SE3(np.array({input0})))).vector, 3).tolist())""",
+    "quaternion.slerp": """import numpy as np
+import pinocchio as pin
+p, q = (np.roll(np.array(x) / np.linalg.norm(x, axis=-1), -1) for x in ({input0}, {input1}))
+print(np.roll(pin.liegroups.SO3().interpolate(p, q, {input2}), 1).tolist())""",
+    "morphs.sclerp": """import numpy as np
+import pinocchio as pin
+b, c = (pin.SE3ToXYZQUAT(pin.SE3(np.array(pose))) for pose in ({input0}, {input1}))
+print(pin.XYZQUATToSE3(pin.liegroups.SE3().interpolate(b, c, {input2})).homogeneous.tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="pinocchio_quaternion",
     version=pin.__version__,
@@ -66,4 +90,5 @@ subject = Subject(
         "twists": "Motion: (vx, vy, vz, omega_x, omega_y, omega_z), translation first, swapped here",
         "interpolation": "liegroups.SO3().interpolate is a slerp, liegroups.SE3().interpolate the screw motion",
     },
+    snippets=SNIPPETS,
 )

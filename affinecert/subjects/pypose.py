@@ -68,6 +68,34 @@ def scale_log(scale: Any) -> Any:
     return pp.RxSO3(torch.cat([unit, scale[:, None]], -1)).Log().tensor()[:, 3]
 
 
+SNIPPETS = {
+    "so3.exp": """import pypose, torch
+omega = pypose.so3(torch.tensor({input0}, dtype=torch.float64))
+print(omega.Exp().matrix().tolist())""",
+    "so3.log": """import pypose, torch
+rotation = pypose.mat2SO3(torch.tensor({input0}, dtype=torch.float64))
+print(rotation.Log().tensor().tolist())""",
+    "se3.exp": """import pypose, torch
+twist = pypose.se3(torch.tensor({input0}, dtype=torch.float64).roll(3))
+print(twist.Exp().matrix().tolist())""",
+    "se3.log": """import pypose, torch
+pose = pypose.mat2SE3(torch.tensor({input0}, dtype=torch.float64))
+print(pose.Log().tensor().roll(3).tolist())""",
+    "sim3.exp": """import pypose, torch
+tangent = torch.tensor({input0}, dtype=torch.float64)[[3, 4, 5, 0, 1, 2, 6]]
+print(pypose.sim3(tangent).Exp().matrix().tolist())""",
+    "sim3.log": """import pypose, torch
+pose = pypose.mat2Sim3(torch.tensor({input0}, dtype=torch.float64))
+print(pose.Log().tensor()[[3, 4, 5, 0, 1, 2, 6]].tolist())""",
+    "scale.exp": """import pypose, torch
+tangent = pypose.rxso3(torch.tensor([0, 0, 0, {input0}], dtype=torch.float64))
+print(tangent.Exp().scale().item())""",
+    "scale.log": """import pypose, torch
+stretch = pypose.RxSO3(torch.tensor([0, 0, 0, 1, {input0}], dtype=torch.float64))
+print(stretch.Log().tensor()[3].item())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="pypose",
     version=pp.__version__,
@@ -90,4 +118,5 @@ subject = Subject(
     policies={
         "last row must be": "mat2SE3 and mat2Sim3: the last row is not used, and a warning tells that it is not 0 0 0 1"
     },
+    snippets=SNIPPETS,
 )

@@ -41,6 +41,21 @@ def slerp(start: Array, end: Array, t: Array) -> Array:
     return np.stack([arc(Quaternion(p), Quaternion(q), float(time)) for p, q, time in triples])
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+from pyquaternion import Quaternion
+print(Quaternion.exp(Quaternion(vector=np.array({input0}) / 2)).rotation_matrix.tolist())""",
+    "so3.log": """import numpy as np
+from pyquaternion import Quaternion
+turn = Quaternion(matrix=np.array({input0}), rtol=0.0, atol=1e-6)
+print((turn.angle * turn.axis).tolist())""",
+    "quaternion.slerp": """from pyquaternion import Quaternion as Q
+p, q, t = Q({input0}), Q({input1}), {input2}
+q = q if p.elements @ q.elements >= 0 else -q
+print((Q.slerp(p, q, t) if 0 <= t <= 1 else Q.exp_map(p.unit, t * Q.log_map(p.unit, q.unit))).elements.tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="pyquaternion",
     version=version("pyquaternion"),
@@ -53,4 +68,5 @@ subject = Subject(
         "sign": "where p . q < 0 slerp goes from -p to q, the same rotations; the adapter hands on -q instead",
     },
     policies={"not a unit quaternion": "slerp 'will implicitly normalise the endpoints to unit quaternions'"},
+    snippets=SNIPPETS,
 )

@@ -64,6 +64,31 @@ def sclerp(start: Array, end: Array, t: Array) -> Any:
     return trajectories.transforms_from_dual_quaternions(trajectories.dual_quaternions_sclerp(origin, goal, t))
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+from pytransform3d.batch_rotations import matrices_from_compact_axis_angles
+print(matrices_from_compact_axis_angles(np.array([{input0}]))[0].tolist())""",
+    "so3.log": """import numpy as np
+from pytransform3d.batch_rotations import axis_angles_from_matrices
+((*axis, angle),) = axis_angles_from_matrices(np.array([{input0}]))
+print((angle * np.array(axis)).tolist())""",
+    "se3.exp": """import numpy as np
+from pytransform3d.trajectories import transforms_from_exponential_coordinates
+print(transforms_from_exponential_coordinates(np.array([{input0}]))[0].tolist())""",
+    "se3.log": """import numpy as np
+from pytransform3d.trajectories import exponential_coordinates_from_transforms
+print(exponential_coordinates_from_transforms(np.array([{input0}]))[0].tolist())""",
+    "quaternion.slerp": """import numpy as np
+from pytransform3d import batch_rotations, rotations
+p, q = rotations.check_quaternion({input0}), rotations.check_quaternion({input1})
+print(batch_rotations.quaternion_slerp_batch(p, q, np.array([{input2}]), shortest_path=True)[0].tolist())""",
+    "morphs.sclerp": """import numpy as np
+from pytransform3d import trajectories as tr
+p, q = tr.dual_quaternions_from_transforms(np.array([{input0}, {input1}])); q = -q if p[:4] @ q[:4] < 0 else q
+print(tr.transforms_from_dual_quaternions(tr.dual_quaternions_sclerp(p[None], q[None], [{input2}]))[0].tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="pytransform3d_batch",
     version=version("pytransform3d"),
@@ -85,4 +110,5 @@ subject = Subject(
         "sclerp": "dual_quaternions_sclerp; the adapter turns the end's sign where the real parts' product is negative",
     },
     policies={"not a unit quaternion": "check_quaternion normalises: unit=True is its default"},
+    snippets=SNIPPETS,
 )

@@ -26,6 +26,19 @@ def slerp(start: Array, end: Array, t: Array) -> Array:
     return np.asarray(quaternion.as_float_array(quaternion.slerp(*rotors, 0.0, 1.0, t)))
 
 
+SNIPPETS = {
+    "so3.exp": """import quaternion
+turn = quaternion.from_rotation_vector({input0})
+print(quaternion.as_rotation_matrix(turn).tolist())""",
+    "so3.log": """import numpy as np, quaternion
+turn = quaternion.from_rotation_matrix(np.array({input0}))
+print(quaternion.as_rotation_vector(turn).tolist())""",
+    "quaternion.slerp": """import numpy as np, quaternion
+p, q = (quaternion.quaternion(*(np.array(x) / np.linalg.norm(x, axis=-1))) for x in ({input0}, {input1}))
+print(quaternion.slerp(p, q, 0.0, 1.0, {input2}).components.tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="quaternion",
     version=quaternion.__version__,
@@ -37,4 +50,5 @@ subject = Subject(
         "slerp": "along the shorter arc; times t1 = 0 and t2 = 1 here",
     },
     policies={"not a rotation": 'from_rotation_matrix: if not orthogonal, the "closest" orthogonal matrix is used'},
+    snippets=SNIPPETS,
 )

@@ -26,6 +26,24 @@ def polar_decompose(linear: Any) -> Any:
     return rotation, rotation.mT @ linear
 
 
+SNIPPETS = {
+    "so3.exp": """import roma, torch
+omega = torch.tensor({input0}, dtype=torch.float64)
+print(roma.rotvec_to_rotmat(omega).tolist())""",
+    "so3.log": """import roma, torch
+rotation = torch.tensor({input0}, dtype=torch.float64)
+print(roma.rotmat_to_rotvec(rotation).tolist())""",
+    "quaternion.slerp": """import roma, torch
+quaternions = torch.tensor([{input0}, {input1}], dtype=torch.float64)
+p, q = roma.quat_normalize(roma.quat_wxyz_to_xyzw(quaternions))
+print(roma.quat_xyzw_to_wxyz(roma.unitquat_slerp(p, q, torch.tensor({input2}, dtype=torch.float64))).tolist())""",
+    "polar.decompose": """import roma, torch
+linear = torch.tensor({input0}, dtype=torch.float64)
+rotation = roma.special_procrustes(linear)
+print([rotation.tolist(), (rotation.mT @ linear).tolist()])""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="roma",
     version=version("roma"),
@@ -45,4 +63,5 @@ subject = Subject(
         "determinant is not positive": "special_procrustes: the rotation nearest to the matrix, whatever that is",
         "not a unit quaternion": "quat_normalize: a copy of unit length of any quaternion but 0, which gives NaN",
     },
+    snippets=SNIPPETS,
 )

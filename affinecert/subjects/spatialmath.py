@@ -64,6 +64,26 @@ def slerp(start: Array, end: Array, t: Array) -> Array:
     return np.stack(values)
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+from spatialmath import base
+print(base.trexp(np.array({input0})).tolist())""",
+    "so3.log": """import numpy as np
+from spatialmath import base
+print(base.trlog(np.array({input0}), check=False, twist=True).tolist())""",
+    "se3.exp": """import numpy as np
+from spatialmath import base
+print(base.trexp(np.roll({input0}, 3)).tolist())""",
+    "se3.log": """import numpy as np
+from spatialmath import base
+print(np.roll(base.trlog(np.array({input0}), check=False, twist=True), 3).tolist())""",
+    "quaternion.slerp": """import numpy as np
+from spatialmath import base
+p, q, t = *(np.array(x) / np.linalg.norm(x, axis=-1) for x in ({input0}, {input1})), {input2}
+print((base.qslerp(p, q, t, shortest=True) * (-1 if p @ q < 0 and t != 0 else 1)).tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="spatialmath",
     version=version("spatialmath-python"),
@@ -78,4 +98,5 @@ subject = Subject(
         "slerp": "shortest=True; where p . q < 0 it goes from -p to q, the same rotations; the adapter takes the sign "
         "back; a ValueError beyond [0, 1], as documented",
     },
+    snippets=SNIPPETS,
 )

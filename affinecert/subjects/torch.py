@@ -17,6 +17,26 @@ def one_by_one(batched: Callable[..., Any]) -> Callable[[Array], Array]:
     return lambda generators: np.concatenate([batched(generators[i : i + 1]) for i in range(len(generators))])
 
 
+SNIPPETS = {
+    "so3.exp": """import torch
+x, y, z = {input0}
+generator = torch.tensor([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(generator).tolist())""",
+    "se3.exp": """import torch
+a, b, c, x, y, z = {input0}
+generator = torch.tensor([[0, -c, b, x], [c, 0, -a, y], [-b, a, 0, z], [0, 0, 0, 0]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(generator).tolist())""",
+    "sim3.exp": """import torch
+a, b, c, x, y, z, g = {input0}
+generator = torch.tensor([[g, -c, b, x], [c, g, -a, y], [-b, a, g, z], [0, 0, 0, 0]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(generator).tolist())""",
+    "shear.exp": """import torch
+a, b, c, d, e = {input0}
+generator = torch.tensor([[0, a, c], [0, b, d], [0, 0, e]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(generator).tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="torch",
     version=torch_batch.subject.version,
@@ -25,4 +45,5 @@ subject = Subject(
         **torch_batch.subject.conventions,
         "matrix exponential": "torch.linalg.matrix_exp at the generator that the adapter packs, one by one",
     },
+    snippets=SNIPPETS,
 )

@@ -56,6 +56,26 @@ def shear_exp(shear_twist: Any) -> Any:
     return torch.linalg.matrix_exp(generator)
 
 
+SNIPPETS = {
+    "so3.exp": """import torch
+x, y, z = {input0}
+generator = torch.tensor([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(torch.stack([generator, generator]))[0].tolist())""",
+    "se3.exp": """import torch
+a, b, c, x, y, z = {input0}
+generator = torch.tensor([[0, -c, b, x], [c, 0, -a, y], [-b, a, 0, z], [0, 0, 0, 0]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(torch.stack([generator, generator]))[0].tolist())""",
+    "sim3.exp": """import torch
+a, b, c, x, y, z, g = {input0}
+generator = torch.tensor([[g, -c, b, x], [c, g, -a, y], [-b, a, g, z], [0, 0, 0, 0]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(torch.stack([generator, generator]))[0].tolist())""",
+    "shear.exp": """import torch
+a, b, c, d, e = {input0}
+generator = torch.tensor([[0, a, c], [0, b, d], [0, 0, e]], dtype=torch.float64)
+print(torch.linalg.matrix_exp(torch.stack([generator, generator]))[0].tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="torch_batch",
     version=torch.__version__,
@@ -64,4 +84,5 @@ subject = Subject(
         "matrix exponential": "torch.linalg.matrix_exp at the generators that the adapter packs, all at once",
         "symmetric matrices": "not offered: matrix_exp takes any square matrix, and knows of no symmetric part",
     },
+    snippets=SNIPPETS,
 )

@@ -52,6 +52,18 @@ def affine_lie_decompose(affine: Array) -> tuple[Array, Array, Array]:
     return rigid, shear / scale[:, None, None], scale
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+from transforms3d.axangles import axangle2mat
+omega = np.array({input0}); angle = np.linalg.norm(omega, axis=-1)
+print(axangle2mat(omega / angle if angle > 0 else [1, 0, 0], angle).tolist())""",
+    "so3.log": """import numpy as np
+from transforms3d.axangles import mat2axangle
+axis, angle = mat2axangle(np.array({input0}))
+print((angle * axis).tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="transforms3d",
     version=version("transforms3d"),
@@ -63,4 +75,5 @@ subject = Subject(
         "domain": "not checked by the library; the adapter refuses what is no rotation, and what turns space over",
         "triangular factor": "decompose44 has it to the right of the rotation; the adapter reverses and transposes",
     },
+    snippets=SNIPPETS,
 )

@@ -26,6 +26,16 @@ def so3_log(rotation: Array) -> Array:
     return np.stack([2 * qlog(mat2quat(item))[1:] for item in rotation])
 
 
+SNIPPETS = {
+    "so3.exp": """import numpy as np
+from transforms3d.quaternions import qexp, quat2mat
+print(quat2mat(qexp([0, *(np.array({input0}) / 2)])).tolist())""",
+    "so3.log": """import numpy as np
+from transforms3d.quaternions import mat2quat, qlog
+print((2 * qlog(mat2quat(np.array({input0})))[1:]).tolist())""",
+}
+"""How the maps are called without affinecert: the templates of `Subject.snippets`."""
+
 subject = Subject(
     name="transforms3d_quaternions",
     version=version("transforms3d"),
@@ -37,4 +47,5 @@ subject = Subject(
         "domain": "mat2quat takes any matrix, and documents the nearest rotation for one that is none",
         "rotations off the manifold": "the adapter refuses them beyond 1e-6",
     },
+    snippets=SNIPPETS,
 )
