@@ -147,9 +147,9 @@ print([rigid, (K / K[0, 0]).tolist(), K[0, 0].tolist()])""",
     "sam.log": """from scipy.linalg import logm
 affine = {input0}
 print(logm(affine).tolist())""",
-    "sam.power": """import numpy as np, scipy
-power = scipy.linalg.fractional_matrix_power({input0}, {input1})
-print(np.real_if_close(power, tol=1e6).tolist())""",
+    "sam.power": """from scipy.linalg import fractional_matrix_power
+power = fractional_matrix_power({input0}, {input1})
+print((power.real if abs(power.imag).max() <= 2.2e-10 * abs(power).max() else power).tolist())""",
     "sam.velocity": """import scipy
 generator = scipy.linalg.logm({input0})
 print((generator[:-1, :-1] @ {input1} + generator[:-1, -1]).tolist())""",
