@@ -6,6 +6,7 @@ where that has findings. Maps that the subject lacks, and laws that speak of one
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterator
 
 import pytest
@@ -38,9 +39,9 @@ class SubjectTest(pytest.Item):
         if failure:
             pytest.fail(failure, pytrace=False)
 
+    @abstractmethod
     def failure(self) -> str:
         """What is wrong; nothing if the test passes."""
-        raise NotImplementedError
 
     def reportinfo(self) -> tuple[str, int, str]:
         """See pytest; the line has to be a number."""
