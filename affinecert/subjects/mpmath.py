@@ -15,11 +15,8 @@ from mpmath import mp
 
 from affinecert.map import Array
 from affinecert.subject import Subject
+from affinecert.subjects import generators
 from affinecert.subjects.preconditions import require_affine
-from affinecert.subjects.scipy import SHEAR_COLUMNS, SHEAR_ROWS
-
-NEGLIGIBLE = 1e6 * np.finfo(np.float64).eps
-"""An imaginary part so small, relative to the largest entry, is rounding; the same for every subject."""
 
 
 def computed(function: Callable[..., Any], matrix: Array, *numbers: Array) -> Any:
@@ -29,78 +26,48 @@ def computed(function: Callable[..., Any], matrix: Array, *numbers: Array) -> An
         for index, item in enumerate(matrix):
             value = function(mp.matrix(item.tolist()), *(mp.mpf(float(number[index])) for number in numbers))
             values.append(np.array(value.tolist(), dtype=np.complex128).reshape(item.shape))
-    array = np.stack(values)
-    sizes = np.max(np.abs(array), axis=(1, 2), keepdims=True)
-    rounding = np.all(np.abs(array.imag) <= NEGLIGIBLE * sizes, axis=(1, 2), keepdims=True)
-    real = np.where(rounding, array.real, array)
-    return real if np.any(real.imag) else real.real
-
-
-def generator(rotation: Array, translation: Array, growth: Array) -> Array:
-    """The matrices (N, 4, 4) [[g I + [omega]x, v], [0, 0]] of vectors (N, 3), (N, 3) and numbers (N,)."""
-    x, y, z = rotation.T
-    matrix = np.zeros((len(rotation), 4, 4))
-    matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -z, y, -x
-    matrix[:, 1, 0], matrix[:, 2, 0], matrix[:, 2, 1] = z, -y, x
-    matrix[:, :3, 3] = translation
-    matrix[:, range(3), range(3)] = growth[:, None]
-    return matrix
-
-
-def vector(matrix: Any) -> Any:
-    """The vectors (N, 3) omega of matrices (N, n, n) with [omega]x above: half the difference to the transpose."""
-    return (
-        np.stack(
-            [matrix[:, 2, 1] - matrix[:, 1, 2], matrix[:, 0, 2] - matrix[:, 2, 0], matrix[:, 1, 0] - matrix[:, 0, 1]],
-            axis=-1,
-        )
-        / 2
-    )
+    return generators.real(np.stack(values))
 
 
 def so3_exp(omega: Array) -> Any:
     """The rotation matrices (N, 3, 3) of rotation vectors (N, 3)."""
-    return computed(mp.expm, generator(omega, np.zeros_like(omega), np.zeros(len(omega)))[:, :3, :3])
+    return computed(mp.expm, generators.similar(omega, np.zeros_like(omega), np.zeros(len(omega)))[:, :3, :3])
 
 
 def so3_log(rotation: Array) -> Any:
     """The rotation vectors (N, 3) of rotation matrices (N, 3, 3)."""
-    return vector(computed(mp.logm, rotation))
+    return generators.vector(computed(mp.logm, rotation))
 
 
 def se3_exp(twist: Array) -> Any:
     """The poses (N, 4, 4) of twists (N, 6)."""
-    return computed(mp.expm, generator(twist[:, :3], twist[:, 3:], np.zeros(len(twist))))
+    return computed(mp.expm, generators.similar(twist[:, :3], twist[:, 3:], np.zeros(len(twist))))
 
 
 def se3_log(pose: Array) -> Any:
     """The twists (N, 6) of poses (N, 4, 4)."""
     logarithm = computed(mp.logm, pose)
-    return np.concatenate([vector(logarithm), logarithm[:, :3, 3]], axis=-1)
+    return np.concatenate([generators.vector(logarithm), logarithm[:, :3, 3]], axis=-1)
 
 
 def sim3_exp(tangent: Array) -> Any:
     """The similarities (N, 4, 4) of tangents (N, 7)."""
-    return computed(mp.expm, generator(tangent[:, :3], tangent[:, 3:6], tangent[:, 6]))
+    return computed(mp.expm, generators.similar(tangent[:, :3], tangent[:, 3:6], tangent[:, 6]))
 
 
 def sim3_log(pose: Array) -> Any:
     """The tangents (N, 7) of similarities (N, 4, 4)."""
-    logarithm = computed(mp.logm, pose)
-    growth = np.trace(logarithm, axis1=1, axis2=2)[:, None] / 3
-    return np.concatenate([vector(logarithm), logarithm[:, :3, 3], growth], axis=-1)
+    return generators.tangent(computed(mp.logm, pose))
 
 
 def shear_exp(shear_twist: Array) -> Any:
     """The elements (N, 3, 3) of G_A from their logarithms (N, 5)."""
-    matrix = np.zeros((len(shear_twist), 3, 3))
-    matrix[:, SHEAR_ROWS, SHEAR_COLUMNS] = shear_twist
-    return computed(mp.expm, matrix)
+    return computed(mp.expm, generators.sheared(shear_twist))
 
 
 def shear_log(shear: Array) -> Any:
     """The logarithms (N, 5) of elements (N, 3, 3) of G_A."""
-    return computed(mp.logm, shear)[:, SHEAR_ROWS, SHEAR_COLUMNS]
+    return computed(mp.logm, shear)[:, generators.SHEAR_ROWS, generators.SHEAR_COLUMNS]
 
 
 def sam_log(affine: Array) -> Any:

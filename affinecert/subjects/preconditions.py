@@ -22,3 +22,31 @@ def require_affine(affine: Array) -> None:
     size = affine.shape[-1] - 1
     if np.any(affine[:, size] != np.eye(size + 1)[size]) or np.any(np.linalg.slogdet(affine[:, :size, :size])[0] <= 0):
         raise ValueError("not an orientation-preserving affine map")
+
+
+def require_last_row(pose: Array) -> None:
+    """Refuse matrices (N, n, n) that do not end in 0 ... 0 1."""
+    if np.any(pose[:, -1] != np.eye(pose.shape[-1])[-1]):
+        raise ValueError("not homogeneous: the last row is not 0 ... 0 1")
+
+
+def require_similarities(pose: Array) -> None:
+    """Refuse matrices (N, 4, 4) that are no similarities."""
+    require_affine(pose)
+    linear = pose[:, :3, :3]
+    with np.errstate(all="ignore"):
+        require_rotations(linear / np.cbrt(np.linalg.det(linear))[:, None, None])
+
+
+def require_symmetric(matrix: Array) -> None:
+    """Refuse matrices (N, n, n) that are not symmetric."""
+    skew = np.linalg.norm(matrix - np.swapaxes(matrix, 1, 2), axis=(1, 2))
+    if not np.all(skew <= OFF_MANIFOLD * np.linalg.norm(matrix, axis=(1, 2))):
+        raise ValueError("not symmetric")
+
+
+def require_positive(matrix: Array) -> None:
+    """Refuse matrices (N, n, n) that are not symmetric, or have an eigenvalue that is not positive."""
+    require_symmetric(matrix)
+    if np.any(np.linalg.eigvalsh((matrix + np.swapaxes(matrix, 1, 2)) / 2) <= 0):
+        raise ValueError("not positive definite")

@@ -12,9 +12,11 @@ from affinecert.subject import Subject
 from affinecert.subjects import torch_batch
 
 
-def one_by_one(batched: Callable[..., Any]) -> Callable[[Array], Array]:
+def one_by_one(batched: Callable[..., Any]) -> Callable[..., Array]:
     """The function of a batch, called with batches of one."""
-    return lambda generators: np.concatenate([batched(generators[i : i + 1]) for i in range(len(generators))])
+    return lambda *arrays: np.concatenate(
+        [batched(*(array[i : i + 1] for array in arrays)) for i in range(len(arrays[0]))]
+    )
 
 
 SNIPPETS = {
@@ -34,13 +36,19 @@ print(torch.linalg.matrix_exp(generator).tolist())""",
 a, b, c, d, e = {input0}
 generator = torch.tensor([[0, a, c], [0, b, d], [0, 0, e]], dtype=torch.float64)
 print(torch.linalg.matrix_exp(generator).tolist())""",
+    "sym3.exp": """import torch
+print(torch.linalg.matrix_exp(torch.tensor({input0}, dtype=torch.float64)).tolist())""",
+    "scale.exp": """import torch
+print(torch.exp(torch.tensor({input0}, dtype=torch.float64)).item())""",
+    "scale.log": """import torch
+print(torch.log(torch.tensor({input0}, dtype=torch.float64)).item())""",
 }
 """How the maps are called without affinecert: the templates of `Subject.snippets`."""
 
 subject = Subject(
     name="torch",
     version=torch_batch.subject.version,
-    maps={name: one_by_one(batched) for name, batched in torch_batch.subject.maps.items()},
+    maps={name: one_by_one(torch_batch.subject.maps[name]) for name in SNIPPETS},
     conventions={
         **torch_batch.subject.conventions,
         "matrix exponential": "torch.linalg.matrix_exp at the generator that the adapter packs, one by one",
