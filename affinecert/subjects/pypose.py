@@ -7,8 +7,10 @@ from typing import Any
 
 import torch
 
+from affinecert.map import Array
 from affinecert.subject import Subject
 from affinecert.subjects.on_tensors import on_tensors
+from affinecert.subjects.rotors import normalised
 
 with warnings.catch_warnings():
     # On import PyPose 0.9.5 has torch compile by means that torch calls outdated.
@@ -68,6 +70,28 @@ def scale_log(scale: Any) -> Any:
     return pp.RxSO3(torch.cat([unit, scale[:, None]], -1)).Log().tensor()[:, 3]
 
 
+def between(start: Any, end: Any, t: Any) -> Any:
+    """The Lie tensors at the times t (N,) of the geodesics: Exp(t Log(C B^-1)) B, the retraction at B."""
+    return start.Retr((end @ start.Inv()).Log() * t[:, None])
+
+
+@on_tensors
+def unit_slerp(start: Any, end: Any, t: Any) -> Any:
+    """The quaternions (N, 4) between unit quaternions (N, 4)."""
+    return between(pp.SO3(start.roll(-1, -1)), pp.SO3(end.roll(-1, -1)), t).tensor().roll(1, -1)
+
+
+def slerp(start: Array, end: Array, t: Array) -> Any:
+    """The quaternions (N, 4) between quaternions (N, 4), normalised first."""
+    return unit_slerp(normalised(start), normalised(end), t)
+
+
+@on_tensors
+def sclerp(start: Any, end: Any, t: Any) -> Any:
+    """The poses (N, 4, 4) on the screw motions between poses (N, 4, 4)."""
+    return between(pp.mat2SE3(start), pp.mat2SE3(end), t).matrix()
+
+
 SNIPPETS = {
     "so3.exp": """import pypose, torch
 omega = pypose.so3(torch.tensor({input0}, dtype=torch.float64))
@@ -93,6 +117,13 @@ print(tangent.Exp().scale().item())""",
     "scale.log": """import pypose, torch
 stretch = pypose.RxSO3(torch.tensor([0, 0, 0, 1, {input0}], dtype=torch.float64))
 print(stretch.Log().tensor()[3].item())""",
+    "quaternion.slerp": """import numpy as np, pypose, torch
+p, q = (torch.tensor(np.array(x) / np.linalg.norm(x, axis=-1)).roll(-1) for x in ({input0}, {input1}))
+p, q = pypose.SO3(p), pypose.SO3(q)
+print(p.Retr((q @ p.Inv()).Log() * {input2}).tensor().roll(1).tolist())""",
+    "morphs.sclerp": """import pypose, torch
+b, c = (pypose.mat2SE3(torch.tensor(pose, dtype=torch.float64)) for pose in ({input0}, {input1}))
+print(b.Retr((c @ b.Inv()).Log() * {input2}).matrix().tolist())""",
 }
 """How the maps are called without affinecert: the templates of `Subject.snippets`."""
 
@@ -108,11 +139,14 @@ subject = Subject(
         "sim3.log": sim3_log,
         "scale.exp": scale_exp,
         "scale.log": scale_log,
+        "quaternion.slerp": slerp,
+        "morphs.sclerp": sclerp,
     },
     conventions={
         "quaternions": "(x, y, z, w); taken from matrices by mat2SO3, mat2SE3 and mat2Sim3 with their checks",
         "twists": "(v, omega), and (v, omega, log of the scale): the adapter swaps",
         "similarities": "s R and t, as here; of its documented two conventions the first",
+        "interpolation": "B.Retr(t Log(C B^-1)), that is Exp(t Log(C B^-1)) B, the same as B Exp(t Log(B^-1 C))",
         "branch at pi": "the sign of Log at exactly pi is that of the quaternion found, documented nowhere",
     },
     policies={
