@@ -108,6 +108,12 @@ def test_a_float32_subject_is_off_by_its_own_roundings() -> None:
     assert single.arithmetic is FLOAT32
 
 
+def test_a_certificate_tells_what_its_subject_is_excused_by() -> None:
+    subject = replace(AS_TOLD, conventions={"angle": "radian"}, refusals={"Expect": "to 20 eps"})
+    policy = f"policy, {AS_IT_IS}"
+    assert subject.words == {"angle": "radian", policy: AS_TOLD.policies[AS_IT_IS], "refusal, Expect": "to 20 eps"}
+
+
 def test_documented_refusals_inside_the_domain_are_absent() -> None:
     (truth,) = truths_of([Case("so3.log", "given", (turn(1.0),), 0.0, "given")])
     said, refusals = Answer(None, "ValueError: Expect SO(3)"), {"Expect SO(3)": "to 20 eps"}
