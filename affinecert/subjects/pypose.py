@@ -117,7 +117,7 @@ subject = Subject(
     },
     policies={
         "off the manifold": "mat2SO3, mat2SE3, mat2Sim3: legal within rtol and atol of 1e-5, and taken as it is",
-        "last row must be": "mat2SE3 and mat2Sim3: the last row is not used, and a warning tells that it is not 0 0 0 1",
+        "last row must be": "mat2SE3, mat2Sim3: the last row is not used, and a warning tells that it is not 0 0 0 1",
     },
     snippets=SNIPPETS,
 )
