@@ -231,5 +231,6 @@ subject = Subject(
         "triangular factor": "mp.qr of the transpose, axes reversed; the adapter makes the diagonal positive",
         "manifolds": "any square matrix is taken; the adapter reads the twist off, and refuses what is no affine map",
     },
+    policies={"off the manifold": "expm, logm and powm are of general matrices, and take each as it is"},
     snippets=SNIPPETS,
 )
