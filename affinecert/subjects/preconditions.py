@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 
 from affinecert.map import Array
@@ -33,9 +35,8 @@ def require_last_row(pose: Array) -> None:
 def require_similarities(pose: Array) -> None:
     """Refuse matrices (N, 4, 4) that are no similarities."""
     require_affine(pose)
-    linear = pose[:, :3, :3]
-    with np.errstate(all="ignore"):
-        require_rotations(linear / np.cbrt(np.linalg.det(linear))[:, None, None])
+    linear = pose[:, :3, :3] / np.max(np.abs(pose[:, :3, :3]), axis=(1, 2), keepdims=True)
+    require_rotations(linear * (np.sqrt(3.0) / np.linalg.norm(linear, axis=(1, 2), keepdims=True)))
 
 
 def require_symmetric(matrix: Array) -> None:
@@ -46,7 +47,20 @@ def require_symmetric(matrix: Array) -> None:
 
 
 def require_positive(matrix: Array) -> None:
-    """Refuse matrices (N, n, n) that are not symmetric, or have an eigenvalue that is not positive."""
+    """Refuse matrices (N, 3, 3) that are not symmetric, or whose symmetric part is not positive definite."""
     require_symmetric(matrix)
-    if np.any(np.linalg.eigvalsh((matrix + np.swapaxes(matrix, 1, 2)) / 2) <= 0):
+    clear = np.linalg.eigvalsh((matrix + np.swapaxes(matrix, 1, 2)) / 2)
+    # Where rounding could make the difference, the leading minors are computed exactly.
+    doubtful = ~(clear[:, 0] > 1e-12 * clear[:, -1])
+    if not all(positive(item) for item in matrix[doubtful]):
         raise ValueError("not positive definite")
+
+
+def positive(matrix: Array) -> bool:
+    """Whether the symmetric part of a matrix (3, 3) is positive definite, in rational arithmetic."""
+    twice = [
+        [Fraction(x) + Fraction(y) for x, y in zip(row, column, strict=True)]
+        for row, column in zip(matrix, matrix.T, strict=True)
+    ]
+    (a, b, c), (_, d, e), (_, _, f) = twice
+    return a > 0 and a * d > b * b and a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d) > 0

@@ -118,5 +118,6 @@ subject = Subject(
         "sclerp": "dual_quaternion_sclerp; the adapter turns the end's sign where the real parts' product is negative",
         "blending": "norm_dual_quaternion of (1 - t) p + t q, likewise",
     },
+    policies={"off the manifold": "check_matrix has a tolerance of 1e-6, within which a matrix is taken as it is"},
     snippets=SNIPPETS,
 )

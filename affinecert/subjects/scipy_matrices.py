@@ -173,10 +173,10 @@ SNIPPETS = {
     "sim3.exp": """from scipy.linalg import expm
 a, b, c, x, y, z, g = {input0}
 print(expm([[g, -c, b, x], [c, g, -a, y], [-b, a, g, z], [0, 0, 0, 0]]).tolist())""",
-    "sim3.log": """from scipy.linalg import logm
-L = logm({input0})
-omega = [(L[2, 1] - L[1, 2]) / 2, (L[0, 2] - L[2, 0]) / 2, (L[1, 0] - L[0, 1]) / 2]
-print([*map(float, omega), *L[:3, 3].tolist(), float(L.trace() / 3)])""",
+    "sim3.log": """import numpy as np, scipy
+L = scipy.linalg.logm({input0})
+omega = np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]]) / 2
+print(np.array([*omega, *L[:3, 3], L.trace() / 3]).tolist())""",
     "shear.exp": """from scipy.linalg import expm
 a, b, c, d, e = {input0}
 print(expm([[0, a, c], [0, b, d], [0, 0, e]]).tolist())""",

@@ -43,5 +43,6 @@ subject = Subject(
         "rotations off the manifold": "r2q does not check, as documented; the adapter refuses beyond 1e-6",
         "slerp": "UnitQuaternion.interp has the formulas of base.qslerp, which is in `spatialmath`",
     },
+    policies={"off the manifold": "r2q: 'There is no check that the passed matrix is a valid rotation matrix.'"},
     snippets=SNIPPETS,
 )
