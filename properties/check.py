@@ -111,20 +111,21 @@ def measure(law: Law, maps: Maps, inputs: tuple[Array, ...]) -> _Finding:
 def check(law: Law, maps: Maps, examples: int = 50) -> LawResult:
     """Tries a law on so many examples, the same ones on every machine; a counterexample is shrunk.
 
-    An exception inside the law's domain breaks it. If one of the maps that it needs is missing, the verdict is absent.
+    An exception inside the law's domain breaks it. If one of the maps that it needs is missing, or the subject refuses
+    every example, as documented, the verdict is absent.
     """
     missing = [name for name in law.needs if name not in maps]
     if missing:
         return LawResult(law.name, "absent", 0.0, (), f"without {', '.join(missing)}", 0)
     trial = _Trial(law, maps, SHRINKS * examples)
-    verdict = "failed" if _refuted(law, trial, examples) else "passed"
+    verdict = "failed" if _refuted(law, trial, examples) else "passed" if trial.examples else "absent"
     shown = trial.last or trial.worst
     return LawResult(
         law=law.name,
         verdict=verdict,
         worst=max(trial.worst.residual, 0.0),
         inputs=tuple(to_hex(array) for array in shown.inputs),
-        note=shown.note,
+        note=shown.note if trial.examples else "the subject refuses every example, as documented",
         examples=trial.examples,
     )
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from affinecert.map import Array
-from affinecert.properties.answers import Maps, exactly
+from affinecert.properties.answers import Maps, exactly, singly
+from affinecert.properties.check import check
 from affinecert.properties.law import BadAnswer, Law, OutOfDomain
 from affinecert.properties.laws import LAWS
+from affinecert.subject import Subject
 
 TIME = np.array(0.25)
 
@@ -115,3 +118,31 @@ def test_in_a_frame_where_rounding_may_have_flattened_a_map_nothing_is_asked(
         law_named("equivariance.sam.power").residual(
             {"sam.power": triangles_alone}, plane(first, 0.0, 0.12, 2.16), TIME, FRAME
         )
+
+
+def exponential(size: float) -> Subject:
+    """Exponentials, refused above a size."""
+
+    def exp(log_scale: Array) -> Array:
+        if np.any(np.abs(log_scale) > size):
+            raise ValueError("beyond the table")
+        return np.exp(log_scale)
+
+    return Subject("table", "1", {"scale.exp": exp, "scale.log": np.log})
+
+
+@pytest.mark.parametrize(("size", "documented"), [(1e-3, "passed"), (-1.0, "absent")])
+def test_a_documented_refusal_breaks_no_law(size: float, documented: str) -> None:
+    law, subject = law_named("exp_log.scale.log"), exponential(size)
+    assert check(law, singly(subject), 10).verdict == "failed"
+    found = check(law, singly(replace(subject, refusals={"beyond the table": "the table ends"})), 10)
+    assert found.verdict == documented
+    assert found.note == ("the subject refuses every example, as documented" if documented == "absent" else "")
+
+
+@pytest.mark.parametrize(("imaginary", "keeps"), [(1e-16, True), (1e-10, False)])
+def test_an_imaginary_part_of_rounding_breaks_no_law(imaginary: float, keeps: bool) -> None:
+    subject = Subject(
+        "complex", "1", {"scale.exp": np.exp, "scale.log": lambda scale: np.log(scale) * (1 + 1j * imaginary)}
+    )
+    assert (check(law_named("exp_log.scale.log"), singly(subject), 10).verdict == "passed") == keeps
