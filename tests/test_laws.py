@@ -15,8 +15,10 @@ from affinecert.properties.answers import Maps, exactly
 from affinecert.properties.check import check
 from affinecert.properties.law import Law
 from affinecert.properties.laws import LAWS
+from affinecert.tier import PROFILES
 
-EXAMPLES = 30
+EXAMPLES = PROFILES["quick"].examples
+"""As many as `certify` tries at least: what it takes more of to break the law would pass for right there."""
 
 Function = Callable[..., Any]
 Break = Callable[[Maps], Function]
