@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from affinecert.case import from_hex
 from affinecert.map import Array
 from affinecert.properties.answers import Maps, exactly
