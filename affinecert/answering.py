@@ -18,7 +18,8 @@ SHOWN = 200
 """Characters of a subject's complaint that are kept."""
 
 
-def _complaint(error: BaseException) -> str:
+def complaint(error: BaseException) -> str:
+    """What a subject raised, in a line."""
     return f"{type(error).__name__}: {error}"[:SHOWN]
 
 
@@ -47,9 +48,9 @@ def _single(function: Callable[..., Any], inputs: Sequence[Array], dtype: str) -
     try:
         return Answer(tuple(_item(output, 0) for output in _call(function, [array[None] for array in inputs], dtype)))
     except SubjectError as error:
-        return Answer(None, _complaint(error), broken=True)
+        return Answer(None, complaint(error), broken=True)
     except Exception as error:
-        return Answer(None, _complaint(error))
+        return Answer(None, complaint(error))
 
 
 def answers(subject: Subject, cases: Sequence[Case]) -> list[Answer]:

@@ -24,11 +24,30 @@ from typing import Any, Protocol
 from pebble import ProcessExpired
 
 from affinecert import catalogue
-from affinecert.case import Case
-from affinecert.certificate import CaseResult, Certificate, LawRecord, MorphLawRecord, case_result, machine, plain
+from affinecert.case import Case, from_record
+from affinecert.certificate import (
+    CaseResult,
+    Certificate,
+    LawRecord,
+    MorphLawRecord,
+    RegimeResult,
+    case_result,
+    machine,
+    plain,
+)
 from affinecert.errors import UnknownNameError
 from affinecert.executor import Executor, executor
-from affinecert.judging import judge, law_record, morph_laws, not_answered, obey, resolve, time_map, truths_of
+from affinecert.judging import (
+    judge,
+    law_record,
+    morph_laws,
+    not_answered,
+    obey,
+    resolve,
+    shown,
+    time_map,
+    truths_of,
+)
 from affinecert.law_matrix import lost
 from affinecert.properties.check import LawResult
 from affinecert.properties.laws import LAWS
@@ -209,6 +228,19 @@ class _Campaign:
             self.begin(batch)
 
 
+def _with_shown(state: _Campaign, snippets: Mapping[str, str], results: Sequence[RegimeResult]) -> list[RegimeResult]:
+    """The results, each gravest finding with what its snippet shows, where the subject has one."""
+    asked: dict[int, Future[str]] = {}
+    for number, result in enumerate(results):
+        if result.findings and result.map in snippets:
+            case = from_record(result.findings[0].case, result.map)
+            (truth,) = state.store.truths(reference_version(catalogue.find(case.map)), [case.key]).values()
+            asked[number] = state.submit(shown, state.subject, case, truth, timeout=state.limit)
+    wait(asked.values())
+    verdicts = {number: "" if _why_lost(future, state.limit) else future.result() for number, future in asked.items()}
+    return [result.showing(verdicts.get(number, "")) for number, result in enumerate(results)]
+
+
 def _why_lost(future: Future[Any], limit: float) -> str | None:
     """Why a call came to nothing: it hung, or its process died. Errors of our own are raised."""
     if future.cancelled():
@@ -258,6 +290,7 @@ def certify(
         rows = state.schedule_morphs([entry.name for entry in offered]) if exact else []
         state.go_on(cases, kept.verdicts(run))
         state.drain()
+        results = _with_shown(state, loaded.snippets, summarise(cases, state.results))
         timings = [submit(time_map, subject, entry.name, timeout=limit * 2) for entry in offered]
         wait(timings)
         kept.forget(run)
@@ -265,7 +298,7 @@ def certify(
         subject=loaded.name,
         subject_version=loaded.version,
         spec=subject if isinstance(subject, str) else "MODULE:ATTRIBUTE",
-        conventions=dict(loaded.conventions),
+        conventions=loaded.words,
         dtype=loaded.dtype,
         affinecert=version("affinecert"),
         profile=profile,
@@ -273,7 +306,7 @@ def certify(
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         seconds=time.perf_counter() - started,
         machine=machine(),
-        results=summarise(cases, state.results),
+        results=tuple(results),
         laws=tuple(state.laws[name] for name in laws),
         timings=tuple(future.result() for future in timings if future.exception() is None and future.result()),
         absent=tuple(entry.name for entry in entries if entry.name not in loaded.maps),

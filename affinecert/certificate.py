@@ -7,7 +7,7 @@ import math
 import os
 import platform
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
@@ -28,7 +28,10 @@ SHOWN_FINDINGS = 5
 
 @dataclass(frozen=True)
 class CaseResult:
-    """One judged case: its errors in u, and the case itself as a corpus record."""
+    """One judged case: its errors in u, and the case itself as a corpus record.
+
+    ``shown`` is the verdict on what the subject's snippet printed at this very input, "" where it was not run.
+    """
 
     verdict: str
     note: str
@@ -38,6 +41,7 @@ class CaseResult:
     condition: float
     backward: float | None
     case: Mapping[str, Any]
+    shown: str = ""
 
 
 @dataclass(frozen=True)
@@ -57,6 +61,13 @@ class RegimeResult:
     def passed(self) -> bool:
         """Whether there is no finding."""
         return not self.findings
+
+    def showing(self, shown: str) -> RegimeResult:
+        """The same, its gravest finding with what the subject's snippet shows there."""
+        if not self.findings or not shown:
+            return self
+        gravest = replace(self.findings[0], shown=shown)
+        return replace(self, worst=gravest, findings=(gravest, *self.findings[1:]))
 
 
 @dataclass(frozen=True)

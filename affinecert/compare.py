@@ -33,7 +33,10 @@ class Library:
 
 @dataclass(frozen=True)
 class Cell:
-    """A library on a map in a regime: its gravest case there, and how one calls it without affinecert, or ""."""
+    """A library on a map in a regime: its gravest case there, and how one calls it without affinecert, or "".
+
+    A snippet that was run on a finding and showed something else is left out; ``proven`` are those that showed it.
+    """
 
     library: str
     spec: str
@@ -41,6 +44,11 @@ class Cell:
     findings: int
     worst: CaseResult
     snippet: str
+
+    @property
+    def proven(self) -> bool:
+        """Whether the snippet was run at this input, and shows the finding."""
+        return bool(self.snippet) and self.worst.shown == self.worst.verdict
 
 
 @dataclass(frozen=True)
@@ -158,7 +166,8 @@ def _library(certificate: Certificate, label: str, results: Iterable[RegimeResul
 def _cell(certificate: Certificate, label: str, result: RegimeResult | None) -> Cell | None:
     if result is None or result.worst is None:
         return None
-    template = certificate.snippets.get(result.map, "")
+    shows_it = result.worst.shown in {"", result.worst.verdict}
+    template = certificate.snippets.get(result.map, "") if shows_it else ""
     inputs = result.worst.case["inputs"]
     return Cell(
         library=label,

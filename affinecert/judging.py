@@ -11,12 +11,13 @@ import numpy as np
 from hypothesis.configuration import set_hypothesis_home_dir
 
 from affinecert import truths
-from affinecert.answering import answers
+from affinecert.answering import answers, complaint
 from affinecert.arithmetic import Arithmetic
-from affinecert.case import Case, generate, to_record
+from affinecert.case import Case, generate, to_hex, to_record
 from affinecert.catalogue import CATALOGUE
 from affinecert.certificate import CaseResult, LawRecord, MorphLawRecord, Timing
 from affinecert.errors import InputError
+from affinecert.manifold import AS_IT_IS, distance, loosened, slack
 from affinecert.map import Array, Map
 from affinecert.properties.answers import singly
 from affinecert.properties.check import LawResult, check
@@ -26,6 +27,7 @@ from affinecert.properties.matrix.laws import LAWS as MORPH_LAWS
 from affinecert.properties.matrix.morphs import MORPHS
 from affinecert.properties.matrix.trial import trial
 from affinecert.scoring import Answer, Score, Verdict, block_score, score
+from affinecert.snippet import fill, printed
 from affinecert.store import default_path
 from affinecert.subject import Subject, load
 from affinecert.truths import Truth
@@ -89,31 +91,55 @@ def backward_error(
 
 
 def on_another_branch(
-    entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, judged: Score, arithmetic: Arithmetic
+    entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, judged: Score, subject: Subject
 ) -> Score:
     """The score of a wrong answer of a map that jumps, which may be right on another branch.
 
     By its inverse, where the map has one; else beside a jump, where a rounding of the input makes the choice.
     """
+    arithmetic = subject.arithmetic
     if judged.verdict is not Verdict.WRONG or entry.continuation is None or not measured(answer, truth):
         return judged
     if entry.inverse is not None:
         if truths.principal(entry, inputs, answer.outputs or ()):
             return judged  # the inverse forgives a logarithm of next to nothing, which is inaccurate all the same
         backward = backward_error(entry, answer, truth, arithmetic, scaled=True)
+        if backward is not None:
+            backward /= slack(entry, inputs, subject)
         return score(entry, answer, truth, backward, arithmetic=arithmetic)
-    for other in truths.across(entry, inputs, truth, entry.bound * arithmetic.unit):
+    reach = entry.bound * arithmetic.unit * slack(entry, inputs, subject)
+    for other in truths.across(entry, inputs, truth, reach):
         if score(entry, answer, other, arithmetic=arithmetic).verdict is Verdict.OK:
             return replace(judged, verdict=Verdict.OTHER_BRANCH, note="the value beyond a jump within rounding")
     return judged
 
 
+def as_taken(entry: Map, inputs: tuple[Array, ...], truth: Truth, subject: Subject) -> Truth:
+    """The truth for a subject: where it takes matrices as they are, with the condition of an input that is one."""
+    return loosened(entry, truth, slack(entry, inputs, subject), subject.arithmetic.smallest_normal)
+
+
+def held_against(entry: Map, answer: Answer, truth: Truth, subject: Subject) -> Score:
+    """The score of a subject's answer by its own words and arithmetic, other branches not looked for."""
+    return score(
+        entry,
+        answer,
+        truth,
+        policies=subject.policies,
+        refusals=subject.refusals,
+        arithmetic=subject.arithmetic,
+    )
+
+
 def weigh(entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, subject: Subject) -> Score:
     """The score of a subject's answer, with its backward error, which may show that it is right on another branch."""
-    arithmetic = subject.arithmetic
-    judged = score(entry, answer, truth, policies=subject.policies, arithmetic=arithmetic)
-    judged = on_another_branch(entry, inputs, answer, truth, judged, arithmetic)
-    return replace(judged, backward=backward_error(entry, answer, truth, arithmetic))
+    due = as_taken(entry, inputs, truth, subject)
+    judged = on_another_branch(entry, inputs, answer, due, held_against(entry, answer, due, subject), subject)
+    if judged.verdict in {Verdict.DEGRADED, Verdict.WRONG} and due is truth and truth.refusal is None:
+        off = distance(entry, inputs)
+        if off > entry.bound * subject.arithmetic.unit:
+            judged = replace(judged, note=f"{judged.note}; the input itself is {off:.1e} {AS_IT_IS}")
+    return replace(judged, backward=backward_error(entry, answer, truth, subject.arithmetic))
 
 
 def result(case: Case, judged: Score) -> CaseResult:
@@ -139,6 +165,20 @@ def judge(subject: str | Subject, cases: Sequence[Case], known: Sequence[Truth])
         result(case, weigh(entry, case.inputs, answer, truth, asked))
         for case, answer, truth in zip(cases, answers(asked, cases), known, strict=True)
     ]
+
+
+def shown(subject: str | Subject, case: Case, truth: Truth) -> str:
+    """The verdict on what the subject's snippet prints at a case: that without affinecert the library does the same."""
+    asked = resolve(subject)
+    entry = CATALOGUE[case.map]
+    snippet = fill(asked.snippets[case.map], [to_hex(array) for array in case.inputs], f"{asked.name}, {case.map}")
+    try:
+        values = printed(snippet)
+        outputs = values if len(entry.outputs) > 1 else [values]
+        answer = Answer(tuple(np.asarray(output) for output in outputs))
+    except Exception as error:
+        answer = Answer(None, complaint(error))
+    return str(weigh(entry, case.inputs, answer, truth, asked).verdict)
 
 
 def not_answered(case: Case, complaint: str) -> CaseResult:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 from affinecert.draw import Draw
 
 Array = NDArray[np.float64]
+
+Manifold = Literal["rotations", "similarities"]
+"""What the linear part of a matrix should be in; a similarity is a positive multiple of a rotation."""
 
 
 @dataclass(frozen=True)
@@ -32,12 +35,14 @@ class Argument:
 
     A size ``"n"`` in ``shape`` is 3 in the plane and 4 in space (homogeneous matrices), ``"d"`` 2 and 3 (linear ones);
     any other name is a number of things, and may differ from input to input. All cases of a regime have one shape.
+    ``manifold`` names the one that the nearest element of counts, where that is so.
     """
 
     name: str
     shape: tuple[int | str, ...]
     groups: tuple[Group, ...]
     units: str = ""
+    manifold: Manifold | None = field(default=None, repr=False)  # truths, stored by what is shown, do not hang on it
 
 
 @dataclass(frozen=True)

@@ -33,8 +33,8 @@ class Verdict(StrEnum):
         return self in FINDINGS
 
 
-NO_POLICIES: Mapping[str, str] = MappingProxyType({})
-"""Of a subject that documents no answers outside the domain."""
+NOTHING: Mapping[str, str] = MappingProxyType({})
+"""The policies or refusals of a subject that documents none."""
 
 FINDINGS = frozenset({Verdict.DEGRADED, Verdict.WRONG, Verdict.NON_FINITE, Verdict.RAISED})
 
@@ -150,7 +150,12 @@ def _lost(entry: Map) -> tuple[BlockScore, ...]:
     return tuple(BlockScore(block.name, math.inf, math.inf, 0.0) for block in entry.blocks)
 
 
-def _raised(entry: Map, answer: Answer) -> Score:
+def _raised(entry: Map, answer: Answer, refusals: Mapping[str, str] = NOTHING) -> Score:
+    """Inside the domain a complaint is a finding, unless the documentation announces it: then nothing is offered."""
+    if not answer.broken:
+        for words, announced in refusals.items():
+            if words in (answer.complaint or ""):
+                return Score(Verdict.ABSENT, (), None, f"refused ({answer.complaint}), as documented: {announced}")
     return Score(Verdict.RAISED, _lost(entry), None, answer.complaint or "raised")
 
 
@@ -169,10 +174,12 @@ def _outside(entry: Map, answer: Answer, refusal: str, policies: Mapping[str, st
     return Score(Verdict.WRONG, _lost(entry), None, f"a silent answer outside the domain: {refusal}")
 
 
-def _unmeasured(entry: Map, answer: Answer, truth: Truth, arithmetic: Arithmetic) -> Score | None:
+def _unmeasured(
+    entry: Map, answer: Answer, truth: Truth, refusals: Mapping[str, str], arithmetic: Arithmetic
+) -> Score | None:
     """The verdict where there is nothing to measure: no outputs, misshapen ones, or not finite ones."""
     if answer.outputs is None:
-        return _raised(entry, answer)
+        return _raised(entry, answer, refusals)
     lost = _lost(entry)
     complaint = _well_formed(answer.outputs, truth)
     if complaint == COMPLEX and _undecided(entry, truth, arithmetic):
@@ -190,18 +197,19 @@ def score(
     answer: Answer,
     truth: Truth,
     backward: float | None = None,
-    policies: Mapping[str, str] = NO_POLICIES,
+    policies: Mapping[str, str] = NOTHING,
+    refusals: Mapping[str, str] = NOTHING,
     arithmetic: Arithmetic = FLOAT64,
 ) -> Score:
     """The verdict of one answer.
 
     ``backward`` is how far the inverse map takes the answer from where it takes the truth, scaled, in u: an answer to a
-    logarithm that is wrong forward but right backward is another branch. ``policies`` and ``arithmetic`` are the
-    subject's.
+    logarithm that is wrong forward but right backward is another branch. ``policies``, ``refusals`` and ``arithmetic``
+    are the subject's.
     """
     if truth.refusal is not None:
         return _outside(entry, answer, truth.refusal, policies)
-    unmeasured = _unmeasured(entry, answer, truth, arithmetic)
+    unmeasured = _unmeasured(entry, answer, truth, refusals, arithmetic)
     if unmeasured is not None or answer.outputs is None:
         return unmeasured or Score(Verdict.RAISED, (), None, "raised")
     outputs = answer.outputs

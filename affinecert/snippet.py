@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
+import warnings
 from collections.abc import Sequence
+from contextlib import redirect_stdout
 from typing import Any
+
+import numpy as np
 
 from affinecert.case import from_hex
 from affinecert.errors import StoredFileError
@@ -25,3 +30,11 @@ def fill(template: str, inputs: Sequence[Any], where: str) -> str:
         return json.dumps(from_hex(inputs[number]).tolist())
 
     return re.sub(r"\{input(\d+)\}", given, template)
+
+
+def printed(snippet: str) -> Any:
+    """What a snippet prints on its last line, nested lists of numbers. Raises whatever the snippet raises."""
+    with warnings.catch_warnings(), np.errstate(all="ignore"), redirect_stdout(io.StringIO()) as output:
+        warnings.simplefilter("ignore")
+        exec(compile(snippet, "snippet", "exec"), {"__name__": "snippet"})
+    return eval(output.getvalue().splitlines()[-1], {"nan": np.nan, "inf": np.inf})

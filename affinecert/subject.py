@@ -30,7 +30,11 @@ class Subject:
     lacks are left out.
 
     ``policies`` acquits documented answers outside a map's domain, such as the orthogonalising of any matrix: by words
-    of the reference's reason ("not a rotation"), what the library's documentation promises there instead.
+    of the reference's reason ("not a rotation"), what the library's documentation promises there instead. Under "off
+    the manifold" it says that matrices are taken as they are, not for the nearest rotation, and has them scored so.
+
+    ``refusals`` acquits documented refusals inside the domain: by words of the library's own complaint, what its
+    documentation announces. Such a case is absent, as if the map ended there.
 
     ``dtype`` is what it computes in, float64 or float32. A float32 subject gets float32 arrays, is held against the
     truths at these very numbers, and its errors are told in units of 2^-24.
@@ -44,8 +48,15 @@ class Subject:
     maps: Mapping[str, Callable[..., Any]]
     conventions: Mapping[str, str] = field(default_factory=dict)
     policies: Mapping[str, str] = field(default_factory=dict)
+    refusals: Mapping[str, str] = field(default_factory=dict)
     dtype: str = "float64"
     snippets: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def words(self) -> Mapping[str, str]:
+        """All that its certificate should tell of it: conventions, and what is documented where it has no value."""
+        policies = {f"policy, {reason}": promised for reason, promised in self.policies.items()}
+        return {**self.conventions, **policies, **{f"refusal, {said}": why for said, why in self.refusals.items()}}
 
     @property
     def arithmetic(self) -> Arithmetic:

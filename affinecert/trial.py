@@ -14,9 +14,9 @@ from affinecert import truths
 from affinecert.answering import answers
 from affinecert.case import Case, generate, rounded
 from affinecert.errors import InputError, PrecisionError
-from affinecert.judging import on_another_branch
+from affinecert.judging import as_taken, held_against, on_another_branch
 from affinecert.map import Map
-from affinecert.scoring import Answer, Score, Verdict, score
+from affinecert.scoring import Score, Verdict
 from affinecert.store import Store, reference_version
 from affinecert.subject import Subject
 from affinecert.truths import Truth
@@ -61,7 +61,8 @@ class Trial:
         truth = self.store.truths(self._version, [case.key]).get(case.key)
         if truth is None:
             value = self._glance(case)
-            first = self._score(answer, value)
+            due = as_taken(self.entry, case.inputs, value, self.subject)
+            first = held_against(self.entry, answer, due, self.subject)
             if value.refusal is not None or height(first) < floor:
                 return None
             if math.isinf(first.scaled):
@@ -69,11 +70,9 @@ class Trial:
             truth = truths.compute(self.entry, case.inputs)
         if truth.refusal is not None:
             return None
-        judged = self._score(answer, truth)
-        return on_another_branch(self.entry, case.inputs, answer, truth, judged, self.subject.arithmetic)
-
-    def _score(self, answer: Answer, truth: Truth) -> Score:
-        return score(self.entry, answer, truth, arithmetic=self.subject.arithmetic)
+        due = as_taken(self.entry, case.inputs, truth, self.subject)
+        judged = held_against(self.entry, answer, due, self.subject)
+        return on_another_branch(self.entry, case.inputs, answer, due, judged, self.subject)
 
     def warm_up(self) -> None:
         """Has the subject answer once, for that may import and compile."""

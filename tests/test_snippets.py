@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import importlib
-import io
-import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stdout
-from typing import Any
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -16,7 +13,7 @@ from affinecert.answering import answers
 from affinecert.case import Case, generate, rounded, to_hex
 from affinecert.catalogue import CATALOGUE
 from affinecert.errors import SubjectError
-from affinecert.snippet import fill
+from affinecert.snippet import fill, printed
 from affinecert.subject import Subject, load, named
 
 OWN = sorted(name for name, entry in named().items() if entry.module.startswith("affinecert.subjects."))
@@ -53,14 +50,6 @@ def hastily(name: str) -> Iterator[None]:
     finally:
         jax.config.update("jax_disable_most_optimizations", before)
         jax.clear_caches()
-
-
-def printed(snippet: str) -> Any:
-    """What a snippet prints on its last line: nested lists of numbers."""
-    with warnings.catch_warnings(), np.errstate(all="ignore"), redirect_stdout(io.StringIO()) as output:
-        warnings.simplefilter("ignore")
-        exec(compile(snippet, "snippet", "exec"), {"__name__": "snippet"})
-    return eval(output.getvalue().splitlines()[-1], {"nan": np.nan, "inf": np.inf})
 
 
 @pytest.mark.parametrize("name", OWN)

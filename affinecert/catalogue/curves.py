@@ -224,7 +224,7 @@ MAPS = (
         definition="curves.shear_curve for rigid motions; logarithms as se3.log",
         source="bansal_tatu, section 4.1, equations 5 and 6 (Li and Hao 2006)",
         domain="at least two keys, each within 1e-6 of SO(3), the nearest rotation counts; last rows 0 0 0 1; every t",
-        arguments=(Argument("poses", ("keys", 4, 4), EACH, "1, length"), TIME),
+        arguments=(Argument("poses", ("keys", 4, 4), EACH, "1, length", manifold="rotations"), TIME),
         outputs=((4, 4),),
         blocks=(Block("rotation", 0, LINEAR), Block("translation", 0, TRANSLATION)),
         regimes=_group_curve(keys.rigid_curves(3), 3, share=0.15),

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from affinecert.catalogue import conformal_pairs, pose_pairs
 from affinecert.catalogue.parts import LINEAR, LINEAR_BLOCKS, TIME, TRANSLATION
 from affinecert.catalogue.pose_pairs import Pair, about_times, regimes
-from affinecert.map import Argument, Group, Map, Regime
+from affinecert.map import Argument, Group, Manifold, Map, Regime
 from affinecert.reference import morphs as reference
 
 # The truth of poses in space takes some five times as long as that of poses in the plane, for it has many more
@@ -43,9 +43,9 @@ CONTINUED = "At half a turn, where the morph jumps, and beside it, the condition
 POSES = "det B > 0, det C > 0, last rows 0 ... 0 1; every t"
 
 
-def _pose(name: str, size: int | str) -> Argument:
-    """An affine pose; a perturbation moves its linear part as a whole, and its translation."""
-    return Argument(name, (size, size), (Group(LINEAR), Group(TRANSLATION)), "1, length")
+def _pose(name: str, size: int | str, manifold: Manifold | None) -> Argument:
+    """A pose; a perturbation moves its linear part as a whole, and its translation."""
+    return Argument(name, (size, size), (Group(LINEAR), Group(TRANSLATION)), "1, length", manifold)
 
 
 def _tried_on(turned: Iterable[Pair]) -> tuple[Regime, ...]:
@@ -69,6 +69,7 @@ def _morph(
     *,
     domain: str = POSES,
     size: int | str = "n",
+    manifold: Manifold | None = None,
     cost: float = 8.0,
 ) -> Map:
     continuation = reference.CONTINUATIONS.get(name)
@@ -77,7 +78,7 @@ def _morph(
         definition=definition,
         source=source,
         domain=domain,
-        arguments=(_pose("start", size), _pose("end", size), TIME),
+        arguments=(_pose("start", size, manifold), _pose("end", size, manifold), TIME),
         outputs=((size, size),),
         blocks=LINEAR_BLOCKS,
         regimes=tried_on,
@@ -173,6 +174,7 @@ MAPS = (
         ),
         domain="B and C similar to within 1e-6, the nearest rotations count; last rows 0 0 0 1; every t",
         size=4,
+        manifold="similarities",
     ),
     _morph(
         "sclerp",
@@ -181,6 +183,7 @@ MAPS = (
         _in_space(conformal_pairs.RIGID),
         domain=RIGID,
         size=4,
+        manifold="rotations",
     ),
     _morph(
         "dual_quaternion_linear",
@@ -189,5 +192,6 @@ MAPS = (
         _in_space(conformal_pairs.RIGID),
         domain=RIGID,
         size=4,
+        manifold="rotations",
     ),
 )

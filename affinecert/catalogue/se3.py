@@ -14,6 +14,8 @@ from affinecert.map import Argument, Array, Block, Group, Map, Point, Regime
 from affinecert.reference import se3 as reference
 from affinecert.sampling import homogeneous, vector
 
+POSE = Argument("pose", (4, 4), (Group(LINEAR, "entries"), Group(TRANSLATION)), "1, length", manifold="rotations")
+
 OMEGA = np.s_[:3,]
 V = np.s_[3:,]
 
@@ -84,7 +86,7 @@ MAPS = (
         definition="the twist (omega, v) with exp(omega, v) = E, omega the so3.log of the rotation",
         source="bansal_tatu, A.2.2",
         domain="rotation within 1e-6 of SO(3), the nearest one counts; last row 0 0 0 1",
-        arguments=(Argument("pose", (4, 4), (Group(LINEAR, "entries"), Group(TRANSLATION)), "1, length"),),
+        arguments=(POSE,),
         outputs=((6,),),
         blocks=(Block("omega", 0, OMEGA), Block("v", 0, V)),
         regimes=(

@@ -21,7 +21,7 @@ V = np.s_[3:6,]
 GROWTH = np.s_[6:,]
 
 TANGENT = Argument("tangent", (7,), (Group(OMEGA), Group(V), Group(GROWTH)), "radian, length, 1")
-POSE = Argument("pose", (4, 4), (Group(LINEAR, "entries"), Group(TRANSLATION)), "1, length")
+POSE = Argument("pose", (4, 4), (Group(LINEAR, "entries"), Group(TRANSLATION)), "1, length", manifold="similarities")
 BLOCKS = (Block("omega", 0, OMEGA), Block("v", 0, V), Block("growth", 0, GROWTH))
 
 POSES = (

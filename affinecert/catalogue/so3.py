@@ -13,7 +13,7 @@ from affinecert.map import Argument, Array, Block, Map, Point, Regime
 from affinecert.reference import so3 as reference
 from affinecert.sampling import signed, vector
 
-ROTATION = Argument("rotation", (3, 3), (ENTRIES,), "1")
+ROTATION = Argument("rotation", (3, 3), (ENTRIES,), "1", manifold="rotations")
 
 
 def _outside(draw: Draw) -> Point:

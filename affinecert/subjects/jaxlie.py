@@ -89,11 +89,12 @@ CONVENTIONS = {
     "rotations": "SO3: quaternions (w, x, y, z), of unit length if the user sees to it",
     "branch": "log takes the shorter rotation vector, whatever the quaternion's sign",
     "branch at pi": "the sign of log at exactly pi is that of the quaternion found, documented nowhere",
-    "rotations off the manifold": "from_matrix neither checks nor orthogonalises, and does not say so",
     "twists": "(vx, vy, vz, omega_x, omega_y, omega_z): translation first, swapped here",
     "interpolation": "manifold.rplus(b, t manifold.rminus(b, c)), that is b exp(t log(b^-1 c))",
     "planar groups": "SO2 and SE2 are left out: the catalogue has no map of the rigid motions of the plane alone",
 }
+
+POLICIES = {"off the manifold": "from_matrix is for rotation matrices: it neither checks them nor orthogonalises"}
 
 SNIPPETS = {
     "so3.exp": """import jax, jaxlie
@@ -124,6 +125,7 @@ subject = Subject(
     version=version("jaxlie"),
     maps={name: numbers(function, wide=True) for name, function in MAPS.items()},
     conventions={**CONVENTIONS, "numbers": "float64, jax_enable_x64 being on"},
+    policies=POLICIES,
     snippets=SNIPPETS,
 )
 
@@ -132,6 +134,7 @@ subject32 = Subject(
     version=version("jaxlie"),
     maps={name: numbers(function, wide=False) for name, function in MAPS.items()},
     conventions={**CONVENTIONS, "numbers": "float32, JAX's default"},
+    policies=POLICIES,
     dtype="float32",
     snippets={name: snippet.replace("True", "False") for name, snippet in SNIPPETS.items()},
 )

@@ -43,6 +43,7 @@ subject = Subject(
     },
     policies={
         "not a rotation": "documented: by default the matrix is not checked (check_rotation=True would refuse it)",
+        "off the manifold": "documented for rotation matrices; unchecked, their entries are taken as they are",
     },
     snippets=SNIPPETS,
 )

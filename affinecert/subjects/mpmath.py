@@ -185,5 +185,6 @@ subject = Subject(
         "matrix power": "mp.powm: exp(t log A), by way of mp.logm; an imaginary part below 2e-10 is dropped",
         "manifolds": "any square matrix is taken; the adapter reads the twist off, and refuses what is no affine map",
     },
+    policies={"off the manifold": "expm, logm and powm are of general matrices, and take each as it is"},
     snippets=SNIPPETS,
 )

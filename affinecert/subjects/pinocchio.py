@@ -82,11 +82,11 @@ subject = Subject(
         "vectors": "columns; matrices act from the left; homogeneous matrices (4, 4) with last row 0 0 0 1",
         "rotations": "log3: angle in [0, pi]",
         "branch at pi": "the sign of log3 at exactly pi is that of R[2,1] - R[1,2] or the like, documented nowhere",
-        "rotations off the manifold": "log3 makes the columns orthonormal one after the other, documented nowhere",
         "twists": "Motion: (vx, vy, vz, omega_x, omega_y, omega_z), translation first, swapped here",
         "slerp": "Quaternion.slerp is Eigen's; for t in [0, 1]; lengths are not looked at, so the adapter normalises",
         "screw motion": "SE3.Interpolate(B, C, t) = B exp6(t log6(B^-1 C))",
         "planar groups": "liegroups.SO2 and SE2 are left out: the catalogue has no rigid motions of the plane alone",
     },
+    policies={"off the manifold": "log3 and log6 are for rotation matrices, and take what is nearly one as it is"},
     snippets=SNIPPETS,
 )

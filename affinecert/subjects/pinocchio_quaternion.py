@@ -86,9 +86,9 @@ subject = Subject(
         "vectors": "columns; matrices act from the left; homogeneous matrices (4, 4) with last row 0 0 0 1",
         "rotations": "exp3_quat, log3, exp6_quat, log6_quat: unit quaternions (x, y, z, w); angle in [0, pi]",
         "branch at pi": "the sign at exactly pi is that of the quaternion found, documented nowhere",
-        "rotations off the manifold": "Quaternion(R) is Eigen's and takes any matrix",
         "twists": "Motion: (vx, vy, vz, omega_x, omega_y, omega_z), translation first, swapped here",
         "interpolation": "liegroups.SO3().interpolate is a slerp, liegroups.SE3().interpolate the screw motion",
     },
+    policies={"off the manifold": "Quaternion(R) is Eigen's, documented for rotation matrices: it takes any as it is"},
     snippets=SNIPPETS,
 )

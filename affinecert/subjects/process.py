@@ -8,9 +8,9 @@ again after it broke down. Asked first who it is, ``{"hello": 1}``, where 1 is t
 
     {"name": "mylib", "version": "1.2", "maps": ["so3.exp", "so3.log"], "conventions": {"twists": "rotation first"}}
 
-with names of `affinecert maps`; "conventions", "policies" (as of `affinecert.Subject`) and "dtype" ("float64" or
-"float32") may be left out. Then it gets batches of inputs of one map, all of one shape, and answers with as many
-outputs, in their order:
+with names of `affinecert maps`; "conventions", "policies" and "refusals" (as of `affinecert.Subject`) and "dtype"
+("float64" or "float32") may be left out. Then it gets batches of inputs of one map, all of one shape, and answers with
+as many outputs, in their order:
 
     {"map": "so3.log", "inputs": [[[["0x1p+0", "0x0p+0", "0x0p+0"], ...]], ...]}
     {"outputs": [[["0x0p+0", "0x0p+0", "0x0p+0"]], null, ...]}
@@ -173,6 +173,7 @@ DUE: Mapping[str, Callable[[Any], bool]] = {
     "maps": lambda value: isinstance(value, list) and value != [] and all(isinstance(name, str) for name in value),
     "conventions": _words,
     "policies": _words,
+    "refusals": _words,
     "dtype": lambda value: value in [*ARITHMETICS],
 }
 """What a program may say of itself, and what is right there."""
@@ -206,5 +207,6 @@ def load(line: str) -> Subject:
         maps=maps,
         conventions=TOLD | told.get("conventions", {}),
         policies=told.get("policies", {}),
+        refusals=told.get("refusals", {}),
         dtype=told.get("dtype", "float64"),
     )

@@ -67,6 +67,9 @@ subject = Subject(
         "slerp": "for amounts in [0, 1], to which it clips, as documented; beyond, exp_map(p, t log_map(p, q))",
         "sign": "where p . q < 0 slerp goes from -p to q, the same rotations; the adapter hands on -q instead",
     },
-    policies={"not a unit quaternion": "slerp 'will implicitly normalise the endpoints to unit quaternions'"},
+    policies={
+        "not a unit quaternion": "slerp 'will implicitly normalise the endpoints to unit quaternions'",
+        "off the manifold": "Quaternion(matrix=R): orthogonal to a tolerance, rtol and atol, then taken as it is",
+    },
     snippets=SNIPPETS,
 )

@@ -107,6 +107,9 @@ subject = Subject(
         "slerp": "shortest_path=True; documented for t in [0, 1], computed for every t",
         "polar factors": "robust_polar_decomposition, with its default of 20 steps; the adapter multiplies out R^T L",
     },
-    policies={"not a unit quaternion": "quaternion_slerp normalises: check_quaternion has unit=True as default"},
+    policies={
+        "not a unit quaternion": "quaternion_slerp normalises: check_quaternion has unit=True as default",
+        "off the manifold": "check_matrix has a tolerance of 1e-6, within which a matrix is taken as it is",
+    },
     snippets=SNIPPETS,
 )

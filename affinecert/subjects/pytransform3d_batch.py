@@ -109,6 +109,9 @@ subject = Subject(
         "slerp": "shortest_path=True; the adapter normalises by check_quaternion, as the function of single items does",
         "sclerp": "dual_quaternions_sclerp; the adapter turns the end's sign where the real parts' product is negative",
     },
-    policies={"not a unit quaternion": "check_quaternion normalises: unit=True is its default"},
+    policies={
+        "not a unit quaternion": "check_quaternion normalises: unit=True is its default",
+        "off the manifold": "documented for rotation matrices, which are not checked in batches but taken as they are",
+    },
     snippets=SNIPPETS,
 )

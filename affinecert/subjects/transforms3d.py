@@ -75,5 +75,6 @@ subject = Subject(
         "domain": "not checked by the library; the adapter refuses what is no rotation, and what turns space over",
         "triangular factor": "decompose44 has it to the right of the rotation; the adapter reverses and transposes",
     },
+    policies={"off the manifold": "mat2axangle is for rotation matrices, eigenvalues within unit_thresh of theirs"},
     snippets=SNIPPETS,
 )
