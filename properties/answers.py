@@ -11,7 +11,7 @@ import numpy as np
 
 from affinecert import truths
 from affinecert.catalogue import CATALOGUE, find
-from affinecert.map import Array
+from affinecert.map import Array, Block
 from affinecert.properties.answer import Answer
 from affinecert.properties.carrying import carried, several
 from affinecert.properties.inexact import CTX, UNIT, exact, norm
@@ -79,7 +79,9 @@ def ask_all(maps: Maps, name: str, *arguments: Array | Answer) -> tuple[Answer, 
     """The outputs of a map, each block with the error u (|truth| + K) it may have, K the map's sensitivity.
 
     An argument that is itself an answer brings its own errors, which are carried through the map to first order.
-    Raises BadAnswer where the subject raises, or gives what is no answer at all.
+    Raises BadAnswer where the subject raises, or gives what is no answer at all; OutOfDomain for a complex one where a
+    rounding of the inputs changes the whole value, as beside a double negative eigenvalue: values next to it do not
+    exist, or are complex as well.
     """
     inputs = tuple(argument.array if isinstance(argument, Answer) else argument for argument in arguments)
     known = truth(name, *inputs)
@@ -87,9 +89,18 @@ def ask_all(maps: Maps, name: str, *arguments: Array | Answer) -> tuple[Answer, 
     parts: list[dict[str, tuple[Any, Any]]] = [{} for _ in outputs]
     blocks = find(name).blocks
     for block, sensitivity, more in zip(blocks, known.sensitivity, carried(name, arguments), strict=True):
-        size = max(norm(exact(known.high[block.output][block.where])), SMALLEST_NORMAL)
-        parts[block.output][block.name] = (block.where, UNIT * (size + CTX.mpf(sensitivity)) + more)
+        parts[block.output][block.name] = (block.where, UNIT * (_size(known, block) + CTX.mpf(sensitivity)) + more)
     return tuple(Answer(array, part) for array, part in zip(outputs, parts, strict=True))
+
+
+def _size(known: Truth, block: Block) -> Any:
+    return max(norm(exact(known.high[block.output][block.where])), SMALLEST_NORMAL)
+
+
+def _undecided(name: str, known: Truth) -> bool:
+    """Whether a rounding of the inputs changes a whole block, as in the scores."""
+    blocks = zip(find(name).blocks, known.sensitivity, strict=True)
+    return any(UNIT * CTX.mpf(sensitivity) >= _size(known, block) for block, sensitivity in blocks)
 
 
 def _outputs(maps: Maps, name: str, inputs: tuple[Array, ...], known: Truth) -> list[Array]:
@@ -99,6 +110,8 @@ def _outputs(maps: Maps, name: str, inputs: tuple[Array, ...], known: Truth) -> 
         raise BadAnswer(f"{name} raises {type(error).__name__}: {error}") from error
     if [output.shape for output in outputs] != [high.shape for high in known.high]:
         raise BadAnswer(f"{name} gives {', '.join(f'an array of shape {output.shape}' for output in outputs)}")
+    if any(output.dtype.kind == "c" for output in outputs) and _undecided(name, known):
+        raise OutOfDomain(f"{name} is complex, as values are at inputs that rounding cannot tell from this one")
     for output in outputs:
         if output.dtype.kind not in "biuf" or not np.all(np.isfinite(output)):
             raise BadAnswer(f"{name} gives {output.tolist()}")
