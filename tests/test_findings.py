@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import ast
 import json
+import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -25,7 +27,10 @@ from affinecert.scoring import Verdict
 REPORTS = Path(__file__).parents[1] / "reports"
 FOLDER = REPORTS / "findings"
 CERTIFICATES = REPORTS / "certificates"
-BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\s*^```text\n(.*?)^```)?", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(python|cpp)\n(.*?)^```\n(?:\s*^```text\n(.*?)^```)?", re.MULTILINE | re.DOTALL)
+
+EIGEN = [f"-I{place}" for place in ("/usr/include/eigen3", "/usr/local/include/eigen3") if Path(place).is_dir()]
+"""Where else headers are: g++ looks in the folders of CPLUS_INCLUDE_PATH as well, for those of Sophus, say."""
 
 # Runs the snippets of one file, each in a namespace of its own; what one printed before it raised is told too.
 RUNNER = """
@@ -45,26 +50,31 @@ json.dump(printed, sys.stdout)
 
 @dataclass(frozen=True)
 class Snippet:
-    """One fenced block of Python, and what the text below it says that it prints."""
+    """One fenced block of Python or C++, and what the text below it says that it prints."""
 
     file: str
     number: int
+    language: str
     code: str
-    quoted: str | None
+    quoted: str
 
 
 def snippets() -> list[Snippet]:
     found = []
     for path in sorted(FOLDER.glob("*.md")):
         blocks = BLOCK.findall(path.read_text(encoding="utf-8"))
-        found += [Snippet(path.name, k, code, quoted or None) for k, (code, quoted) in enumerate(blocks, 1)]
+        found += [Snippet(path.name, k, *block) for k, block in enumerate(blocks, 1)]
     return found
 
 
-def missing(code: str) -> set[str]:
-    """The packages that a snippet imports and nobody has installed."""
+def missing(snippet: Snippet) -> set[str]:
+    """The packages or headers that a snippet asks for and nobody has installed; or the compiler."""
+    if snippet.language == "cpp":
+        if shutil.which("g++") is None:
+            return {"g++"}
+        return {header for header in re.findall("#include <(.*)>", snippet.code) if not preprocessed(header)}
     names = set()
-    for node in ast.walk(ast.parse(code)):
+    for node in ast.walk(ast.parse(snippet.code)):
         if isinstance(node, ast.Import):
             names |= {alias.name.partition(".")[0] for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
@@ -72,10 +82,25 @@ def missing(code: str) -> set[str]:
     return {name for name in names if find_spec(name) is None}
 
 
+def preprocessed(header: str) -> bool:
+    """Whether g++ finds a header."""
+    command = ["g++", *EIGEN, "-E", "-x", "c++", "-", "-o", os.devnull]
+    asked = f"#if !__has_include(<{header}>)\n#error\n#endif"
+    return subprocess.run(command, input=asked, text=True, capture_output=True, check=False).returncode == 0
+
+
+def compiled(snippet: Snippet, folder: Path) -> str:
+    """What a snippet in C++ prints; products and sums are not fused, as they are not in what is quoted."""
+    source, program = folder / "snippet.cpp", folder / "snippet"
+    source.write_text(snippet.code, encoding="utf-8")
+    subprocess.run(["g++", "-O0", "-std=c++17", "-ffp-contract=off", *EIGEN, source, "-o", program], check=True)
+    return subprocess.run(program, capture_output=True, text=True, check=True).stdout
+
+
 @cache
 def printed(file: str) -> dict[int, str]:
     """What the snippets of one file print, by their numbers, run in one process of their own."""
-    here = [snippet for snippet in snippets() if snippet.file == file and not missing(snippet.code)]
+    here = [snippet for snippet in snippets() if snippet.file == file and not missing(snippet)]
     done = subprocess.run(
         [sys.executable, "-c", RUNNER],
         input=json.dumps([snippet.code for snippet in here]),
@@ -95,12 +120,13 @@ def test_there_are_findings() -> None:
 
 
 @pytest.mark.parametrize("snippet", snippets(), ids=lambda snippet: f"{Path(snippet.file).stem}-{snippet.number}")
-def test_a_snippet_prints_what_is_quoted(snippet: Snippet) -> None:
-    assert snippet.quoted is not None, f"{snippet.file}: no ```text block follows snippet {snippet.number}"
-    absent = missing(snippet.code)
+def test_a_snippet_prints_what_is_quoted(snippet: Snippet, tmp_path: Path) -> None:
+    assert snippet.quoted, f"{snippet.file}: no ```text block follows snippet {snippet.number}"
+    absent = missing(snippet)
     if absent:
         pytest.skip(f"not installed: {', '.join(sorted(absent))}")
-    assert printed(snippet.file)[snippet.number].strip() == snippet.quoted.strip()
+    told = compiled(snippet, tmp_path) if snippet.language == "cpp" else printed(snippet.file)[snippet.number]
+    assert told.strip() == snippet.quoted.strip()
 
 
 @dataclass(frozen=True)
