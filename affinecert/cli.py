@@ -220,7 +220,7 @@ def init(library: str) -> None:
 
     adapter, workflow = adoption.adopt(library, Path())
     click.echo(f"wrote {adapter}: uncomment the maps that {library} has")
-    click.echo(f"wrote {workflow}: {adoption.OWNER} stands there for the owner of affinecert's repository")
+    click.echo(f"wrote {workflow}: replace {adoption.OWNER} there by the owner of affinecert's repository")
     click.echo(f"then: affinecert certify {adapter.stem}:subject")
 
 

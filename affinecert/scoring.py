@@ -83,6 +83,8 @@ def length(array: Array) -> float:
 
     It is infinite where an entry is, or is NaN.
     """
+    if np.iscomplexobj(array):
+        array = np.stack([array.real, array.imag])
     largest = float(np.max(np.abs(array), initial=0.0))
     if largest == 0.0:
         return 0.0
@@ -126,15 +128,22 @@ def block_score(
 COMPLEX = "complex where a real value is due"
 
 
+def announced(complaint: str, refusals: Mapping[str, str]) -> str | None:
+    """What a subject's documentation says of a complaint by which it refuses an input; None if it says nothing."""
+    return next((why for words, why in refusals.items() if words in complaint), None)
+
+
 def _well_formed(outputs: Sequence[Array], truth: Truth) -> str | None:
     if len(outputs) != len(truth.high):
         return f"{len(outputs)} outputs where {len(truth.high)} are due"
     for number, (output, due) in enumerate(zip(outputs, truth.high, strict=True)):
-        if np.iscomplexobj(output):
-            return COMPLEX
         if output.shape != due.shape:
             return f"output {number} has shape {output.shape} where {due.shape} is due"
     return None
+
+
+def _complex(outputs: Sequence[Array]) -> bool:
+    return any(map(np.iscomplexobj, outputs))
 
 
 def _undecided(entry: Map, truth: Truth, arithmetic: Arithmetic) -> bool:
@@ -152,10 +161,9 @@ def _lost(entry: Map) -> tuple[BlockScore, ...]:
 
 def _raised(entry: Map, answer: Answer, refusals: Mapping[str, str] = NOTHING) -> Score:
     """Inside the domain a complaint is a finding, unless the documentation announces it: then nothing is offered."""
-    if not answer.broken:
-        for words, announced in refusals.items():
-            if words in (answer.complaint or ""):
-                return Score(Verdict.ABSENT, (), None, f"refused ({answer.complaint}), as documented: {announced}")
+    why = None if answer.broken else announced(answer.complaint or "", refusals)
+    if why is not None:
+        return Score(Verdict.ABSENT, (), None, f"refused ({answer.complaint}), as documented: {why}")
     return Score(Verdict.RAISED, _lost(entry), None, answer.complaint or "raised")
 
 
@@ -182,7 +190,7 @@ def _unmeasured(
         return _raised(entry, answer, refusals)
     lost = _lost(entry)
     complaint = _well_formed(answer.outputs, truth)
-    if complaint == COMPLEX and _undecided(entry, truth, arithmetic):
+    if complaint is None and _complex(answer.outputs) and _undecided(entry, truth, arithmetic):
         return Score(Verdict.OK, (), None, "complex, as values are at inputs that rounding cannot tell from this one")
     if complaint is not None:
         return Score(Verdict.WRONG, lost, None, complaint)
@@ -225,6 +233,12 @@ def score(
         for block, sensitivity in zip(entry.blocks, truth.sensitivity, strict=True)
     )
     worst = max(block.scaled for block in blocks)
+    if _complex(outputs):
+        # Held against the real value, an imaginary part is an error as any other, and may be mere rounding.
+        verdict, note = _grade(worst, None, entry.bound, arithmetic)
+        if verdict is Verdict.WRONG:
+            return Score(verdict, _lost(entry), None, COMPLEX)
+        return Score(verdict, blocks, None, f"{note}; {COMPLEX}" if note else "an imaginary part of rounding")
     # Only a map that jumps, a logarithm, has other branches; anything else is wrong even where its inverse forgives.
     verdict, note = _grade(worst, backward if entry.continuation else None, entry.bound, arithmetic)
     return Score(verdict, blocks, backward, note)

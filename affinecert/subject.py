@@ -90,7 +90,8 @@ def load(spec: str) -> Subject:
     module_name, _, attribute = place.partition(":")
     here = str(Path.cwd())
     if here not in sys.path:
-        sys.path.insert(0, here)
+        # Last: what is installed goes before its own sources, which may lie here and lack what an installation builds.
+        sys.path.append(here)
     try:
         module = importlib.import_module(module_name)
     except ImportError as error:

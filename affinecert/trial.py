@@ -23,8 +23,11 @@ from affinecert.truths import Truth
 
 
 def height(judged: Score) -> float:
-    """How bad an answer is: log2 of its scaled error; of its backward error, if it is right on another branch."""
-    error = judged.backward if judged.verdict is Verdict.OTHER_BRANCH and judged.backward is not None else judged.scaled
+    """How bad an answer is: log2 of its scaled error; of its backward error, if it is right on another branch.
+
+    Without an inverse that error is the one to the value beyond a jump, within the bound: none to speak of.
+    """
+    error = judged.scaled if judged.verdict is not Verdict.OTHER_BRANCH else judged.backward or 0.0
     return math.log2(error) if error > 0 else -math.inf
 
 

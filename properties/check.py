@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -68,6 +69,10 @@ class _Broken(Exception):
     """Tells Hypothesis that an input breaks the law."""
 
 
+class _Spent(BaseException):
+    """Stops Hypothesis, which catches exceptions and goes on shrinking, when no more inputs are to be tried."""
+
+
 class _Trial:
     """One run of Hypothesis: it measures inputs, and remembers the worst of them and the last that broke the law."""
 
@@ -83,7 +88,7 @@ class _Trial:
         if key not in self.broken:
             if self.broken:
                 if not self.shrinks:
-                    return
+                    raise _Spent
                 self.shrinks -= 1
             finding = measure(self.law, self.maps, inputs)
             self.examples += 1
@@ -111,20 +116,21 @@ def measure(law: Law, maps: Maps, inputs: tuple[Array, ...]) -> _Finding:
 def check(law: Law, maps: Maps, examples: int = 50) -> LawResult:
     """Tries a law on so many examples, the same ones on every machine; a counterexample is shrunk.
 
-    An exception inside the law's domain breaks it. If one of the maps that it needs is missing, the verdict is absent.
+    An exception inside the law's domain breaks it. If one of the maps that it needs is missing, or the subject refuses
+    every example, as documented, the verdict is absent.
     """
     missing = [name for name in law.needs if name not in maps]
     if missing:
         return LawResult(law.name, "absent", 0.0, (), f"without {', '.join(missing)}", 0)
     trial = _Trial(law, maps, SHRINKS * examples)
-    verdict = "failed" if _refuted(law, trial, examples) else "passed"
+    verdict = "failed" if _refuted(law, trial, examples) else "passed" if trial.examples else "absent"
     shown = trial.last or trial.worst
     return LawResult(
         law=law.name,
         verdict=verdict,
         worst=max(trial.worst.residual, 0.0),
         inputs=tuple(to_hex(array) for array in shown.inputs),
-        note=shown.note,
+        note=shown.note if trial.examples else "the subject refuses every example, as documented",
         examples=trial.examples,
     )
 
@@ -135,22 +141,32 @@ def _refuted(law: Law, trial: _Trial, examples: int) -> bool:
     Examples are drawn from seeded bytes, for Hypothesis' own generation draws on the constants of whatever modules are
     loaded; what fails is handed over by a database, and shrunk.
     """
+    database = InMemoryExampleDatabase()
+    probe = _probe(law, trial, database, SETTINGS.phases)
+    generator = np.random.default_rng(list(law.name.encode()))
+    try:
+        for _ in range(ATTEMPTS * examples):
+            probe.hypothesis.fuzz_one_input(generator.bytes(BUFFER))
+            if trial.examples == examples:
+                return False
+    except _Broken:
+        with suppress(Exception):  # whatever shrinking runs into, an unsteady subject say, the law is broken
+            try:
+                probe()
+            except _Spent:  # the database holds the simplest input met
+                with suppress(_Spent):
+                    _probe(law, trial, database, (Phase.reuse,))()
+        return True
+    return False
 
-    @settings(SETTINGS, database=InMemoryExampleDatabase())  # above the seed, which takes a database away
+
+def _probe(law: Law, trial: _Trial, database: InMemoryExampleDatabase, phases: Collection[Phase]) -> Any:
+    """The trial as a test of Hypothesis, which knows it by its source in a database."""
+
+    @settings(SETTINGS, database=database, phases=phases)  # above the seed, which takes a database away
     @seed(0)
     @given(law.inputs)
     def probe(inputs: tuple[Array, ...]) -> None:
         trial(inputs)
 
-    target: Any = probe
-    generator = np.random.default_rng(list(law.name.encode()))
-    try:
-        for _ in range(ATTEMPTS * examples):
-            target.hypothesis.fuzz_one_input(generator.bytes(BUFFER))
-            if trial.examples == examples:
-                return False
-    except _Broken:
-        with suppress(Exception):  # whatever shrinking runs into, an unsteady subject say, the law is broken
-            probe()
-        return True
-    return False
+    return probe

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from hypothesis import strategies as st
@@ -79,12 +79,7 @@ def regime(map_name: str, regime_name: str) -> SearchStrategy[tuple[Array, ...]]
     if regime_name not in found:
         raise UnknownNameError(f"regime of {map_name}", regime_name, found)
     build = found[regime_name].build
-
-    @st.composite
-    def points(draw: st.DrawFn) -> tuple[Array, ...]:
-        return build(HypothesisDraw(draw)).inputs
-
-    return points()
+    return drawn(lambda draw: build(draw).inputs)
 
 
 def inputs(map_name: str) -> SearchStrategy[tuple[Array, ...]]:
@@ -94,12 +89,14 @@ def inputs(map_name: str) -> SearchStrategy[tuple[Array, ...]]:
 
 def drawn(build: Callable[[HypothesisDraw], T]) -> SearchStrategy[T]:
     """The strategy of what ``build`` makes from a draw."""
+    strategy: SearchStrategy[T] = _built(build)
+    return strategy
 
-    @st.composite
-    def built(draw: st.DrawFn) -> T:
-        return build(HypothesisDraw(draw))
 
-    return built()
+@st.composite
+def _built(draw: st.DrawFn, build: Callable[[HypothesisDraw], Any]) -> Any:
+    # Once for all: Hypothesis reads the source of whatever is made composite, half a second for that of the laws.
+    return build(HypothesisDraw(draw))
 
 
 def _first(map_name: str) -> SearchStrategy[Array]:

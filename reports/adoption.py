@@ -17,10 +17,10 @@ from affinecert.map import Map
 from affinecert.reports import prepare, replace
 
 WIDTH = 120
-"""Columns of the comments."""
+"""Columns of the adapter."""
 
 OWNER = "OWNER"
-"""Stands in the workflow for whoever keeps affinecert's repository, which the package cannot know."""
+"""Stands in the workflow for whoever keeps affinecert's repository, which the package cannot know: to be replaced."""
 
 
 def arguments(entry: Map) -> str:
@@ -52,6 +52,19 @@ def comment(line: str, indent: int) -> str:
     )
 
 
+def offer(entry: Map, library: str, indent: int) -> str:
+    """A map in the adapter's table, commented out, in as many lines as it takes."""
+    taken, function = arguments(entry), f"{library}.{entry.name.replace('.', '_')}"
+    asked = f"lambda {taken}: {function}"
+    forms = (
+        (f'"{entry.name}": each({asked}({taken})),',),
+        (f'"{entry.name}": each(', f"    {asked}({taken})", "),"),
+        (f'"{entry.name}": each(', f"    {asked}(", f"        {taken}", "    )", "),"),
+    )
+    commented = [[f"{' ' * indent}# {line}" for line in form] for form in forms]
+    return "\n".join(next((form for form in commented if max(map(len, form)) <= WIDTH), commented[-1]))
+
+
 def _title(docstring: str | None) -> str:
     """What a family of the catalogue is of, as its docstring tells in its first line."""
     title = (docstring or "").partition("\n")[0].removeprefix("The catalogue of ").removesuffix(".")
@@ -73,13 +86,14 @@ def rendered(library: str) -> Mapping[Path, str]:
         autoescape=False,
     )
     environment.filters["comment"] = comment
-    environment.globals.update(arguments=arguments, signature=signature)
+    environment.globals.update(offer=offer, signature=signature)
     module = f"affinecert_{library}"
     told = {
         "library": library,
         "module": module,
         "families": [(_title(family.__doc__), family.MAPS) for family in FAMILIES],
-        "action": f"{OWNER}/affinecert@v{version('affinecert')}",
+        "owner": OWNER,
+        "tag": f"v{version('affinecert')}",
     }
     names = {
         Path(f"{module}.py"): "adapter.py.jinja",

@@ -65,13 +65,14 @@ def show(certificate: Certificate, console: Console) -> None:
     """Prints the certificate."""
     console.print(_errors(certificate))
     if certificate.absent:
-        console.print(Text(f"\nmaps not offered: {', '.join(certificate.absent)}", style="dim"))
+        console.print(Text(f"\nmaps not offered: {', '.join(map(str, view.absent(certificate)))}", style="dim"))
     checked = [law for law in view.laws(certificate) if law.verdict != "absent"]
     if checked:
         console.print()
         console.print(_laws(checked))
     if without := [law.name for law in certificate.laws if law.verdict == "absent"]:
-        console.print(Text(f"\nlaws of maps not offered: {', '.join(without)}", style="dim"))
+        gaps = view.by_family(without, (law.name for law in checked))
+        console.print(Text(f"\nlaws of maps not offered: {', '.join(map(str, gaps))}", style="dim"))
     if certificate.morph_laws:
         console.print()
         matrix.show(certificate.morph_laws, console, statements=False)

@@ -152,6 +152,47 @@ def counted(number: int, one: str, many: str | None = None) -> str:
     return f"{number:,} {one if number == 1 else many or one + 's'}"
 
 
+@dataclass(frozen=True)
+class Gap:
+    """What is missing, by its name: a family of maps or laws, with a ``remark`` on how much of it, or a single one."""
+
+    name: str
+    remark: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.remark})" if self.remark else self.name
+
+
+def by_family(missing: Iterable[str], there: Iterable[str]) -> tuple[Gap, ...]:
+    """The missing names, FAMILY.NAME each, in few words and in their order: beside those that are there.
+
+    A family of which nothing is there is told with its count, "mesh2 (6)"; one of which little is there by that,
+    "morphs (all but sclerp)"; of any other the missing names are told.
+    """
+    lost, kept = _families(missing), _families(there)
+    gaps: list[Gap] = []
+    for family, names in lost.items():
+        rest = [name.removeprefix(f"{family}.") for name in kept.get(family, ())]
+        if len(names) > max(len(rest), 1):
+            gaps.append(Gap(family, f"all but {', '.join(rest)}" if rest else f"{len(names)}"))
+        else:
+            gaps += map(Gap, names)
+    return tuple(gaps)
+
+
+def _families(names: Iterable[str]) -> Mapping[str, Sequence[str]]:
+    """The names of each family, each once, in the order in which they come."""
+    families: dict[str, list[str]] = {}
+    for name in dict.fromkeys(names):
+        families.setdefault(name.partition(".")[0], []).append(name)
+    return families
+
+
+def absent(certificate: Certificate) -> tuple[Gap, ...]:
+    """The chosen maps that the subject does not offer."""
+    return by_family(certificate.absent, (result.map for result in certificate.results))
+
+
 def decimal(inputs: Any) -> str:
     """A case's inputs as JSON of decimal numbers; each is the shortest that reads back as the same float64."""
     return json.dumps([from_hex(value).tolist() for value in inputs])

@@ -54,11 +54,11 @@ def test_a_good_subject_passes(jobs: int, tmp_path: Path) -> None:
 
 def test_a_subject_that_always_hangs_is_given_up(tmp_path: Path) -> None:
     certificate = certify(
-        "tests.adapters.faulty:hangs", maps="so3.exp", profile="quick", jobs=2, store=tmp_path / "store", limit=0.5
+        "tests.adapters.faulty:hangs", maps="so3.exp", profile="quick", jobs=2, store=tmp_path / "store", limit=0.2
     )
     assert verdicts(certificate) == {"raised"}
     notes = {finding.note for finding in judged(certificate)}
-    assert notes == {"not asked, as 6 calls came to nothing: no answer within 0.5 s"}
+    assert notes == {"not asked, as 6 calls came to nothing: no answer within 0.2 s"}
 
 
 def test_the_one_case_that_hangs_is_found(tmp_path: Path) -> None:
@@ -99,8 +99,17 @@ class _Heard:
         self.told.append((done, total, doing))
 
 
+@pytest.fixture(scope="module")
+def unbroken(tmp_path_factory: pytest.TempPathFactory) -> Certificate:
+    """The certificate of a run that nothing interrupts."""
+    store = tmp_path_factory.mktemp("unbroken") / "store.sqlite"
+    return certify("tests.adapters.faulty:lists", maps="so3.exp", profile="quick", store=store)
+
+
 @pytest.mark.parametrize("jobs", [1, 2])
-def test_an_interrupted_run_keeps_what_is_finished_and_goes_on_from_it(jobs: int, tmp_path: Path) -> None:
+def test_an_interrupted_run_keeps_what_is_finished_and_goes_on_from_it(
+    jobs: int, unbroken: Certificate, tmp_path: Path
+) -> None:
     store = tmp_path / "store.sqlite"
     good = "tests.adapters.faulty:lists"
     with pytest.raises(KeyboardInterrupt):
@@ -109,7 +118,6 @@ def test_an_interrupted_run_keeps_what_is_finished_and_goes_on_from_it(jobs: int
     resumed = certify(good, maps="so3.exp", profile="quick", jobs=jobs, store=store, progress=heard)
     assert "going on from" in heard.told[0][2]
     assert heard.told[-1][0] == heard.told[-1][1]
-    unbroken = certify(good, maps="so3.exp", profile="quick", store=tmp_path / "other.sqlite")
     assert resumed.results == unbroken.results
 
 

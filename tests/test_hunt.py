@@ -20,6 +20,7 @@ from affinecert.arithmetic import FLOAT64
 from affinecert.case import to_record
 from affinecert.climb import Arm, Ground, build, choose, learn, propose, shift
 from affinecert.errors import StoredFileError, SubjectError, UnknownNameError
+from affinecert.fast import quaternion
 from affinecert.hunt import Catch, hunt
 from affinecert.map import Array
 from affinecert.subject import Subject
@@ -155,6 +156,21 @@ def test_inputs_outside_the_domain_are_no_prey(function: object, verdict: str, s
     catches = hunt(bad, evaluations=60, store=store)
     assert {catch.verdict for catch in catches} == {verdict}
     assert "outside" not in {catch.case.regime for catch in catches}
+
+
+def _the_other_way_at_a_tie(start: Array, end: Array, t: Array) -> Array:
+    """Slerp by the other arc where the quaternions are orthogonal to within rounding, and either is the shorter."""
+    arc = quaternion.slerp(start, end, t)
+    along = np.sum(arc * start, axis=-1) / np.sum(start * start, axis=-1)
+    tied = np.abs(np.sum(start * end, axis=-1)) <= 2.0**-52
+    return np.where(tied[:, None], 2 * along[:, None] * start - arc, arc)
+
+
+def test_an_answer_beyond_a_jump_wins_no_hunt(store: Path) -> None:
+    tied = Subject("tied", "1", {"quaternion.slerp": _the_other_way_at_a_tie})
+    (catch,) = hunt(tied, evaluations=60, store=store)
+    assert catch.verdict == "ok"
+    assert catch.scaled <= catalogue.find("quaternion.slerp").bound
 
 
 def test_a_map_that_the_subject_lacks_is_told() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import runpy
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from affinecert.campaign import certify
 from affinecert.catalogue import CATALOGUE
 from affinecert.cli import main
 from affinecert.errors import InputError, StoredFileError
-from affinecert.reports.adoption import adopt, rendered
+from affinecert.reports.adoption import WIDTH, adopt, rendered
 
 from . import plain_yaml
 
@@ -48,8 +49,8 @@ def run(*arguments: str) -> Result:
 
 def uncommented(text: str, *names: str) -> str:
     for name in names:
-        assert text.count(f'        # "{name}": ') == 1
-        text = text.replace(f'        # "{name}": ', f'        "{name}": ')
+        (lines,) = re.findall(rf'^        # "{name}": each\((?:.*?)\),$\n', text, re.MULTILINE | re.DOTALL)
+        text = text.replace(lines, re.sub("^ *# ", "        ", lines, flags=re.MULTILINE))
     return text
 
 
@@ -86,6 +87,12 @@ def test_every_map_of_the_catalogue_waits_there() -> None:
     assert "#   twist (6,) -> (4, 4)\n" in adapter
     assert "#   affine (n, n), t () -> (n, n)\n" in adapter
     assert "#   linear (d, d) -> (d, d), (d, d)\n" in adapter
+
+
+@pytest.mark.parametrize("library", ["mylib", "a_library_of_a_rather_long_name"])
+def test_no_line_is_too_long(library: str) -> None:
+    (adapter, *_) = rendered(library).values()
+    assert [line for line in adapter.splitlines() if len(line) > WIDTH] == []
 
 
 def test_nothing_is_offered_before_a_line_is_uncommented() -> None:

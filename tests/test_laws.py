@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -12,11 +13,13 @@ import pytest
 from affinecert.case import from_hex
 from affinecert.map import Array
 from affinecert.properties.answers import Maps, exactly
-from affinecert.properties.check import check
+from affinecert.properties.check import SHRINKS, check
 from affinecert.properties.law import Law
 from affinecert.properties.laws import LAWS
+from affinecert.tier import PROFILES
 
-EXAMPLES = 30
+EXAMPLES = PROFILES["quick"].examples
+"""As many as `certify` tries at least: what it takes more of to break the law would pass for right there."""
 
 Function = Callable[..., Any]
 Break = Callable[[Maps], Function]
@@ -371,6 +374,21 @@ def test_a_counterexample_is_shrunk_to_a_readable_one() -> None:
     (omega,) = (from_hex(value) for value in result.inputs)
     assert np.count_nonzero(omega) == 1
     assert float(np.abs(omega).max()) in {0.1, 1.0}
+
+
+def test_shrinking_ends_when_its_tries_are_spent() -> None:
+    drawn: list[tuple[Array, ...]] = []
+
+    def noted(inputs: tuple[Array, ...]) -> tuple[Array, ...]:
+        drawn.append(inputs)
+        return inputs
+
+    law = law_named("volume_monotone.sam")
+    result = check(replace(law, inputs=law.inputs.map(noted)), {**right(), "sam.power": straight(right())}, 2)
+    assert result.verdict == "failed"
+    assert result.examples == 2 + 2 * SHRINKS
+    # Left to itself Hypothesis goes on for hundreds.
+    assert len(drawn) <= 50
 
 
 def test_the_same_run_gives_the_same_result() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pickle
+import re
 import select
 import shutil
 import signal
@@ -268,6 +269,12 @@ def test_the_example_in_c_plus_plus_compiles_and_eigen_passes(tmp_path: Path) ->
     subprocess.run(["g++", "-O0", f"-I{EIGEN}", str(EXAMPLE), "-o", str(program)], check=True)
     subject = load(f"exec:{program}")
     assert set(subject.maps) == {"so3.exp", "so3.log", "quaternion.slerp"}
+    (talk,) = re.findall(
+        r"^```\n(\{.*?)^```$", EXAMPLE.with_name("README.md").read_text("utf-8"), re.MULTILINE | re.DOTALL
+    )
+    requests, answers = talk.split("\n")[0::3], talk.replace("3.4.0", subject.version).split("\n")[1::3]
+    told = subprocess.run(program, input="\n".join(requests), capture_output=True, text=True, check=True)
+    assert told.stdout.splitlines() == answers
     off_the_manifold = {"off-manifold", "from-float32"}
     for name in subject.maps:
         for regime in CATALOGUE[name].regimes:

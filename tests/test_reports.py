@@ -106,8 +106,8 @@ def test_markdown_names_every_map_regime_finding_and_law(certificate: Certificat
         assert view.reproduce(certificate, finding) in text
     for law in certificate.laws:
         assert f"| {law.name} | {law.verdict} |" in text
-    for name in certificate.absent:
-        assert f"`{name}`" in text
+    for gap in view.absent(certificate):
+        assert f"`{gap.name}`{f' ({gap.remark})' if gap.remark else ''}" in text
     for cells in matrix.rows(certificate.morph_laws):
         assert f"| {cells.morph} | {' | '.join(escape(matrix.word(cell)) for cell in cells.cells)} |" in text
 
@@ -150,8 +150,9 @@ def test_html_names_every_map_regime_finding_and_law(certificate: Certificate) -
         assert view.hexadecimal(finding.case["inputs"]) in shown
     for law in certificate.laws:
         assert law.name in shown
-    for name in certificate.absent:
-        assert name in shown
+    for gap in view.absent(certificate):
+        assert gap.name in shown
+        assert not gap.remark or any(text.startswith(f"({gap.remark})") for text in shown)
     for cell in certificate.morph_laws:
         assert {cell.morph, cell.law, matrix.word(cell)} <= shown
     for cell in matrix.counterexamples(certificate.morph_laws):
@@ -241,6 +242,45 @@ def test_terminal_says_how_many_findings_it_leaves_out() -> None:
     bad = [certificates.case_result(regime=name, scaled=1e9, verdict=Verdict.WRONG) for name in names]
     results = tuple(certificates.regime_result("so3.log", name, [case]) for name, case in zip(names, bad, strict=True))
     assert "and in 3 more regimes" in printed(certificates.certificate(results))
+
+
+@pytest.mark.parametrize(
+    ("missing", "there", "told"),
+    [
+        ("", "so3.exp", ""),
+        ("so3.exp so3.log se3.exp se3.log", "", "so3 (2), se3 (2)"),
+        ("mesh3.blend", "so3.exp", "mesh3.blend"),
+        ("scale.log", "scale.exp", "scale.log"),
+        ("sam.log sam.exists", "sam.power sam.morph", "sam.log, sam.exists"),
+        ("sam.log sam.exists sam.morph", "sam.power sam.power", "sam (all but power)"),
+        ("sim3.log sam.log sim3.exp sim3.log_next", "sim3.a sim3.b", "sim3 (all but a, b), sam.log"),
+        ("exp_log.so3.exp exp_log.so3.log", "exp_log.sam.log", "exp_log (all but sam.log)"),
+        ("so3.exp so3.log", "so31.exp", "so3 (2)"),
+        ("odd nameless.", "odd", "odd, nameless."),
+    ],
+)
+def test_what_is_missing_is_told_by_family(missing: str, there: str, told: str) -> None:
+    assert ", ".join(map(str, view.by_family(missing.split(), there.split()))) == told
+
+
+def test_a_subject_of_few_maps_is_told_in_few_words() -> None:
+    names = [name for name in CATALOGUE if name not in {"so3.exp", "morphs.sclerp"}]
+    rows = tuple(certificates.regime_result(name, "generic", []) for name in ("so3.exp", "morphs.sclerp"))
+    gaps = view.absent(certificates.certificate(rows, absent=tuple(names)))
+    told = [str(gap) for gap in gaps]
+    assert {"so3 (all but exp)", "scale (2)", "polar.decompose", "mesh2 (6)", "morphs (all but sclerp)"} <= set(told)
+    assert len(", ".join(told)) < 300
+    # Whoever knows the catalogue can tell each missing map from these words.
+    families = [gap.name for gap in gaps if gap.remark]
+    assert all((name.split(".")[0] in families) != (name in told) for name in names)
+
+
+def test_maps_and_laws_that_are_not_offered_are_told_by_family_everywhere() -> None:
+    failing = ALL["failing"]
+    assert "\nmaps not offered: shear (2)\n" in printed(failing)
+    assert "\nlaws of maps not offered: isometry\n" in printed(failing)
+    assert "\nNot offered: `shear` (2).\n" in markdown(failing)
+    assert "Not offered by the subject: shear (2)." in "".join(Page(html(failing)).text)
 
 
 def test_a_cell_of_the_law_matrix_is_a_word() -> None:

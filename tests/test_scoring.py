@@ -186,7 +186,22 @@ def test_a_complex_answer_is_right_where_rounding_decides_whether_a_real_one_exi
     logarithm: Array = FIRST + 1j
     answer = Answer((logarithm, SECOND))
     assert score(ENTRY, answer, truth(sensitivity=(5.1 * 2.0**53, 0.0, 0.0))).verdict is Verdict.OK
-    assert score(ENTRY, answer, truth(sensitivity=(4.9 * 2.0**53, 0.0, 0.0))).verdict is Verdict.WRONG
+    assert score(ENTRY, answer, truth(sensitivity=(2.0**46, 0.0, 0.0))).verdict is Verdict.DEGRADED
+    assert score(ENTRY, answer, truth()).verdict is Verdict.WRONG
+
+
+@pytest.mark.parametrize(
+    ("imaginary", "verdict"), [(4, Verdict.OK), (1e4, Verdict.DEGRADED), (2.0**30, Verdict.WRONG), (np.nan, None)]
+)
+def test_an_imaginary_part_is_an_error_as_any_other(imaginary: float, verdict: Verdict | None) -> None:
+    logarithm: Array = FIRST + 1j * imaginary * FLOAT64.unit * FIRST
+    result = score(ENTRY, Answer((logarithm, SECOND)), truth())
+    assert result.verdict is (verdict or Verdict.NON_FINITE)
+    if verdict in {Verdict.OK, Verdict.DEGRADED}:
+        assert result.blocks[0].forward == pytest.approx(imaginary)
+        assert "imaginary" in result.note or "complex" in result.note
+    else:
+        assert result.scaled == math.inf
 
 
 def test_a_truth_of_zero_wants_zero() -> None:

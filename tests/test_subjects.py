@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from importlib.metadata import EntryPoint
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -47,6 +48,20 @@ def test_our_subjects_are_loaded_by_name_and_offer_maps_of_the_catalogue(name: s
     assert subject.name == name
     assert subject.version
     assert set(subject.maps) <= set(CATALOGUE)
+
+
+def test_what_is_installed_goes_before_its_sources_in_the_working_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sources, installed = tmp_path / "sources", tmp_path / "installed"
+    for folder, version in ((sources, "not built"), (installed, "built")):
+        folder.mkdir()
+        (folder / "a_library_with_sources.py").write_text(f"version = {version!r}", encoding="utf-8")
+    adapter = "import a_library_with_sources as lib, affinecert\nsubject = affinecert.Subject('lib', lib.version, {})"
+    (sources / "adapter_beside_sources.py").write_text(adapter, encoding="utf-8")
+    monkeypatch.syspath_prepend(str(installed))
+    monkeypatch.chdir(sources)
+    assert load("adapter_beside_sources:subject").version == "built"
 
 
 def test_other_packages_bring_their_subjects(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -94,7 +94,11 @@ CONVENTIONS = {
     "planar groups": "SO2 and SE2 are left out: the catalogue has no map of the rigid motions of the plane alone",
 }
 
-POLICIES = {"off the manifold": "from_matrix is for rotation matrices: it neither checks them nor orthogonalises"}
+POLICIES = {
+    "not a rotation": "from_matrix is for rotation matrices, and does not check them",
+    "last row must be": "from_matrix is for homogeneous matrices, whose last row it does not look at",
+    "off the manifold": "from_matrix is for rotation matrices: it neither checks them nor orthogonalises",
+}
 
 SNIPPETS = {
     "so3.exp": """import jax, jaxlie

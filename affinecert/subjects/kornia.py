@@ -72,6 +72,7 @@ subject = Subject(
     },
     policies={
         "not a rotation": "documented: by default the matrix is not checked (check_rotation=True would refuse it)",
+        "last row must be": "Se3.from_matrix: documented to check the rotation block only, and that if asked to",
         "off the manifold": "documented for rotation matrices; unchecked, their entries are taken as they are",
         "not a unit quaternion": "normalize_quaternion: divides by the length, and leaves 0, documented, as it is",
     },

@@ -87,6 +87,10 @@ subject = Subject(
         "screw motion": "SE3.Interpolate(B, C, t) = B exp6(t log6(B^-1 C))",
         "planar groups": "liegroups.SO2 and SE2 are left out: the catalogue has no rigid motions of the plane alone",
     },
-    policies={"off the manifold": "log3 and log6 are for rotation matrices, and take what is nearly one as it is"},
+    policies={
+        "not a rotation": "documented for rotation matrices, which are not checked",
+        "last row must be": "SE3(M) is for homogeneous matrices, whose last row it does not look at",
+        "off the manifold": "log3 and log6 are for rotation matrices, and take what is nearly one as it is",
+    },
     snippets=SNIPPETS,
 )

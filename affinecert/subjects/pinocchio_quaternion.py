@@ -89,6 +89,10 @@ subject = Subject(
         "twists": "Motion: (vx, vy, vz, omega_x, omega_y, omega_z), translation first, swapped here",
         "interpolation": "liegroups.SO3().interpolate is a slerp, liegroups.SE3().interpolate the screw motion",
     },
-    policies={"off the manifold": "Quaternion(R) is Eigen's, documented for rotation matrices: it takes any as it is"},
+    policies={
+        "not a rotation": "documented for rotation matrices, which are not checked",
+        "last row must be": "SE3(M) is for homogeneous matrices, whose last row it does not look at",
+        "off the manifold": "Quaternion(R) is Eigen's, for rotation matrices, and takes what is nearly one as it is",
+    },
     snippets=SNIPPETS,
 )

@@ -61,6 +61,7 @@ subject = Subject(
     },
     policies={
         "determinant is not positive": "special_procrustes: the rotation nearest to the matrix, whatever that is",
+        "not a rotation": "rotmat_to_rotvec: documented for rotation matrices, which are not checked",
         "off the manifold": "rotmat_to_rotvec: documented for rotation matrices, a unit quaternion even slightly off",
         "not a unit quaternion": "quat_normalize: a copy of unit length of any quaternion but 0, which gives NaN",
     },

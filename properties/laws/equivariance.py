@@ -7,27 +7,46 @@ from hypothesis import strategies as st
 
 from affinecert.map import Array
 from affinecert.properties import special, strategies
-from affinecert.properties.answer import rounded_affine
+from affinecert.properties.answer import Answer, rounded_affine
 from affinecert.properties.answers import Maps, ask, ask_all
 from affinecert.properties.culver import without_half_turns
-from affinecert.properties.inexact import affine, exact, precisely
-from affinecert.properties.law import Law
+from affinecert.properties.inexact import (
+    UNDECIDED,
+    Affine,
+    affine,
+    cofactors,
+    determinant,
+    exact,
+    norm,
+    precisely,
+    real,
+)
+from affinecert.properties.law import Law, OutOfDomain
 
 # P has small whole entries or powers of two, and an exact inverse; what P A P^-1 is rounded by is carried along.
+
+
+def _rounded(pose: Affine) -> Answer:
+    """A pose as float64; OutOfDomain if the rounding may have made it singular, or turned it over."""
+    answer = rounded_affine(pose)
+    linear = answer["linear"]
+    if real(determinant(linear.value)) <= UNDECIDED * norm(cofactors(linear.value)) * linear.error:
+        raise OutOfDomain("singular to within its rounding")
+    return answer
 
 
 def _frame(maps: Maps, matrix: Array, time: Array, frame: Array) -> float:
     without_half_turns(exact(matrix[:-1, :-1]))
     change = affine(frame)
     back = change.inverse()
-    seen = ask(maps, "sam.power", rounded_affine(change @ affine(matrix) @ back), time)
+    seen = ask(maps, "sam.power", _rounded(change @ affine(matrix) @ back), time)
     return (change @ ask(maps, "sam.power", matrix, time).affine @ back).misfit(seen.affine)
 
 
 def _affine_invariance(maps: Maps, start: Array, end: Array, time: Array, frame: Array) -> float:
     without_half_turns((affine(end) @ affine(start).inverse()).linear.value)
     change = affine(frame)
-    seen = ask(maps, "sam.morph", *(rounded_affine(change @ affine(pose)) for pose in (start, end)), time)
+    seen = ask(maps, "sam.morph", *(_rounded(change @ affine(pose)) for pose in (start, end)), time)
     return (change @ ask(maps, "sam.morph", start, end, time).affine).misfit(seen.affine)
 
 
@@ -50,7 +69,7 @@ def _keys(maps: Maps, poses: Array, time: Array, frame: Array) -> float:
 def _curve_invariance(maps: Maps, *arguments: Array) -> float:
     *poses, time, frame = arguments
     change = affine(frame)
-    seen = ask(maps, "curves.bezier_quadratic", *(rounded_affine(change @ affine(pose)) for pose in poses), time)
+    seen = ask(maps, "curves.bezier_quadratic", *(_rounded(change @ affine(pose)) for pose in poses), time)
     return (change @ ask(maps, "curves.bezier_quadratic", *poses, time).affine).misfit(seen.affine)
 
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from affinecert.errors import InputError
-from affinecert.fast.measures import average_relative_acceleration, simplex_grid
 from affinecert.map import Array
 from affinecert.properties.matrix.domains import ALL, RIGID_POSES, SIMILARITIES, Domain
 from affinecert.properties.matrix.motion import Ask
@@ -41,6 +40,9 @@ as in figure 2 of Rossignac and Vinacua; and in space a turn about another axis,
 
 def unsteadiness(ask: Ask, domain: Domain) -> float | None:
     """The average relative acceleration between the standard poses of a domain; None where there is no morph."""
+    # Numba takes as long to load as all else that a process needs to judge, and few get here.
+    from affinecert.fast.measures import average_relative_acceleration, simplex_grid  # noqa: PLC0415
+
     start, end = PAIRS[domain]
     poses = np.array([ask(start[None], end[None], k / STEPS)[0] for k in range(STEPS + 1)])
     try:
