@@ -13,6 +13,7 @@ from affinecert.answering import answers
 from affinecert.case import Case, generate, rounded, to_hex
 from affinecert.catalogue import CATALOGUE
 from affinecert.errors import SubjectError
+from affinecert.scoring import announced
 from affinecert.snippet import fill, printed
 from affinecert.subject import Subject, load, named
 
@@ -69,6 +70,8 @@ def test_a_snippet_prints_what_the_adapter_answers(name: str) -> None:
         for map_, case in tried:
             # Two of a kind, for a library may have other code for a batch than for one item.
             answer = answers(subject, [case, case])[0]
+            if announced(answer.complaint or "", subject.refusals):
+                continue
             assert answer.outputs is not None, (map_, case.regime, answer.complaint)
             values = printed(fill(subject.snippets[map_], [to_hex(array) for array in case.inputs], map_))
             for value, output in zip(values if len(answer.outputs) > 1 else [values], answer.outputs, strict=True):

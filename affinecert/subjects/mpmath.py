@@ -16,7 +16,13 @@ from mpmath import mp
 from affinecert.map import Array
 from affinecert.subject import Subject
 from affinecert.subjects import generators
-from affinecert.subjects.preconditions import require_affine, require_last_row, require_positive, require_symmetric
+from affinecert.subjects.preconditions import (
+    require_affine,
+    require_last_row,
+    require_positive,
+    require_principal,
+    require_symmetric,
+)
 
 
 def computed(function: Callable[..., Any], matrix: Array, *numbers: Array) -> Any:
@@ -26,7 +32,7 @@ def computed(function: Callable[..., Any], matrix: Array, *numbers: Array) -> An
         for index, item in enumerate(matrix):
             value = function(mp.matrix(item.tolist()), *(mp.mpf(float(number[index])) for number in numbers))
             values.append(np.array(value.tolist(), dtype=np.complex128).reshape(item.shape))
-    return generators.real(np.stack(values))
+    return require_principal(matrix, generators.real(np.stack(values)))
 
 
 def so3_exp(omega: Array) -> Any:
@@ -231,6 +237,7 @@ subject = Subject(
         "triangular factor": "mp.qr of the transpose, axes reversed; the adapter makes the diagonal positive",
         "manifolds": "any square matrix is taken; the adapter reads the twist off, and refuses what is no affine map",
     },
+    refusals={"an eigenvalue is negative": "logm: 'a logarithm', as it 'is not unique', and there a complex one"},
     policies={"off the manifold": "expm, logm and powm are of general matrices, and take each as it is"},
     snippets=SNIPPETS,
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -64,3 +65,15 @@ def positive(matrix: Array) -> bool:
     ]
     (a, b, c), (_, d, e), (_, _, f) = twice
     return a > 0 and a * d > b * b and a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d) > 0
+
+
+def require_principal(matrix: Array, values: Any) -> Any:
+    """The logarithms or powers of matrices (N, n, n); refused if they are complex and an eigenvalue is negative.
+
+    There the principal ones are complex, and no others are promised. Anywhere else a complex value is handed on.
+    """
+    if np.iscomplexobj(values):
+        eigenvalues = np.linalg.eigvals(matrix)
+        if np.any((eigenvalues.imag == 0) & (eigenvalues.real < 0)):
+            raise ValueError("an eigenvalue is negative")
+    return values

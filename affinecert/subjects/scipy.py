@@ -116,5 +116,6 @@ subject = Subject(
         "not a rotation": "Rotation.from_matrix and RigidTransform.from_matrix orthogonalise what they are given",
         "no single fixed point": "linalg.solve warns of an ill-conditioned matrix, and answers",
     },
+    refusals=scipy_matrices.REFUSALS,
     snippets=SNIPPETS,
 )

@@ -19,6 +19,7 @@ from affinecert.subjects.preconditions import (
     require_affine,
     require_last_row,
     require_positive,
+    require_principal,
     require_similarities,
     require_symmetric,
 )
@@ -28,7 +29,7 @@ def logm(matrix: Array) -> Any:
     """The matrix logarithms; the warning by which `linalg.logm` tells that a matrix is singular is its refusal."""
     with warnings.catch_warnings():
         warnings.filterwarnings("error", message="The logm input matrix is exactly singular")
-        return linalg.logm(matrix)
+        return require_principal(matrix, linalg.logm(matrix))
 
 
 def powers(matrix: Array, t: Array) -> Any:
@@ -38,7 +39,7 @@ def powers(matrix: Array, t: Array) -> Any:
     imaginary part; that much is dropped, as everybody has to who uses it.
     """
     found = [linalg.fractional_matrix_power(item, float(power)) for item, power in zip(matrix, t, strict=True)]
-    return generators.real(np.stack(found))
+    return require_principal(matrix, generators.real(np.stack(found)))
 
 
 def sim3_exp(tangent: Array) -> Any:
@@ -159,9 +160,11 @@ MAPS: dict[str, Callable[..., Any]] = {
     "measures.volume": volume,
 }
 
+REFUSALS = {"an eigenvalue is negative": "logm, fractional_matrix_power: principal, by [2] and [3], so complex"}
+
 CONVENTIONS = {
     "matrix exponential": "linalg.expm at the generator that the adapter packs",
-    "matrix logarithm": "linalg.logm: principal, so complex if an eigenvalue is negative; warning is refusal",
+    "matrix logarithm": "linalg.logm: principal; the warning that a matrix is singular is its refusal",
     "matrix power": "linalg.fractional_matrix_power: principal; an imaginary part below 2e-10 is dropped",
     "polar factors": "linalg.polar: stretch on the right; the adapter refuses what preserves no orientation",
     "matrices": "scipy.linalg takes any square matrix; the adapter refuses what is outside the domain of each map",

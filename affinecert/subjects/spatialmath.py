@@ -77,8 +77,6 @@ subject = Subject(
         "vectors": "columns; matrices act from the left; homogeneous matrices (4, 4) with last row 0 0 0 1",
         "twists": "(v, omega): translation first; the adapter swaps",
         "branch at pi": "the sign of the axis at exactly pi is documented nowhere",
-        "rotations off the manifold": "trlog refuses them beyond 20 eps, as documented; the adapter has it answer "
-        "by and refuses beyond 1e-6 by isR, which has a tolerance",
         "quaternions": "(w, x, y, z), taken for unit ones; the adapter normalises them (qunit would change signs)",
         "slerp": "shortest=True; where p . q < 0 it goes from -p to q, the same rotations; the adapter takes the sign "
         "back",

@@ -61,6 +61,10 @@ print(axangle2mat(omega / angle if angle > 0 else [1, 0, 0], angle).tolist())"""
 from transforms3d.axangles import mat2axangle
 axis, angle = mat2axangle(np.array({input0}))
 print((angle * axis).tolist())""",
+    "affine_lie.decompose": """import numpy as np; from transforms3d.affines import decompose44
+A = np.array({input0}); M = np.eye(4); M[:3, :3] = A[2::-1, 2::-1].T; _, Q, zooms, shears = decompose44(M)
+U = np.eye(3); U[np.triu_indices(3, 1)] = shears; K = (zooms[:, None] * U)[::-1, ::-1].T; Q = Q[::-1, ::-1].T
+print([[*np.c_[Q, np.linalg.solve(K, A[:3, 3])].tolist(), [0, 0, 0, 1]], (K / K[0, 0]).tolist(), K[0, 0].tolist()])""",
 }
 """How the maps are called without affinecert: the templates of `Subject.snippets`."""
 

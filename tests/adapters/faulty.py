@@ -54,7 +54,7 @@ def _nan(omega: Array) -> Array:
 
 
 def _complex(omega: Array) -> Array:
-    return rodrigues(omega) + 1e-20j
+    return rodrigues(omega) + 1e-3j
 
 
 def _complex_without_imaginary_part(omega: Array) -> Array:
