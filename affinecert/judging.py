@@ -17,7 +17,7 @@ from affinecert.case import Case, generate, to_hex, to_record
 from affinecert.catalogue import CATALOGUE
 from affinecert.certificate import CaseResult, LawRecord, MorphLawRecord, Timing
 from affinecert.errors import InputError
-from affinecert.manifold import AS_IT_IS, distance, loosened, slack
+from affinecert.manifold import distance, loosened, slack
 from affinecert.map import Array, Map
 from affinecert.properties.answers import singly
 from affinecert.properties.check import LawResult, check
@@ -138,7 +138,7 @@ def weigh(entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, s
     if judged.verdict in {Verdict.DEGRADED, Verdict.WRONG} and due is truth and truth.refusal is None:
         off = distance(entry, inputs)
         if off > entry.bound * subject.arithmetic.unit:
-            judged = replace(judged, note=f"{judged.note}; the input itself is {off:.1e} {AS_IT_IS}")
+            judged = replace(judged, note=f"{judged.note}; the input itself is {off:.1e} off the manifold")
     return replace(judged, backward=backward_error(entry, answer, truth, subject.arithmetic))
 
 

@@ -13,8 +13,8 @@ from affinecert.draw import Draw
 
 Array = NDArray[np.float64]
 
-Manifold = Literal["rotations", "similarities"]
-"""What the linear part of a matrix should be in; a similarity is a positive multiple of a rotation."""
+Manifold = Literal["rotations", "similarities", "symmetric matrices"]
+"""What a matrix, or its linear part, should be in; a similarity is a positive multiple of a rotation."""
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from types import MappingProxyType
@@ -142,6 +142,22 @@ def _well_formed(outputs: Sequence[Array], truth: Truth) -> str | None:
     return None
 
 
+def _fixed(entry: Map, outputs: Sequence[Array], truth: Truth, arithmetic: Arithmetic) -> Iterator[BlockScore]:
+    """The errors of entries that no block tells of, such as a last row of 0 0 0 1, where they are not as they are due.
+
+    Against the size of these entries; where all are due to be 0, of the whole output.
+    """
+    for number, (output, due) in enumerate(zip(outputs, truth.high, strict=True)):
+        rest = np.ones(due.shape, dtype=np.bool_)
+        for block in entry.blocks:
+            if block.output == number:
+                rest[block.where] = False
+        if np.any(output[rest] != due[rest]):
+            size = max(length(due[rest]) or length(due), arithmetic.smallest_normal)
+            error = quotient(length(output[rest] - due[rest]), size) / arithmetic.unit
+            yield BlockScore("fixed entries", error, error, 0.0)
+
+
 def _complex(outputs: Sequence[Array]) -> bool:
     return any(map(np.iscomplexobj, outputs))
 
@@ -232,6 +248,7 @@ def score(
         )
         for block, sensitivity in zip(entry.blocks, truth.sensitivity, strict=True)
     )
+    blocks += tuple(_fixed(entry, outputs, truth, arithmetic))
     worst = max(block.scaled for block in blocks)
     if _complex(outputs):
         # Held against the real value, an imaginary part is an error as any other, and may be mere rounding.

@@ -31,7 +31,8 @@ class Subject:
 
     ``policies`` acquits documented answers outside a map's domain, such as the orthogonalising of any matrix: by words
     of the reference's reason ("not a rotation"), what the library's documentation promises there instead. Under "off
-    the manifold" it says that matrices are taken as they are, not for the nearest rotation, and has them scored so.
+    the manifold" it says that matrices are taken as they are, not for the nearest rotation, and has them scored so (or
+    "off the manifold of symmetric matrices", if that holds for these alone: see `affinecert.manifold`).
 
     ``refusals`` acquits documented refusals inside the domain: by words of the library's own complaint, what its
     documentation announces. Such a case is absent, as if the map ended there.

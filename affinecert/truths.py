@@ -39,6 +39,9 @@ VALUE = 128
 FLOOR = -1022
 # Pairs of changes by which a jump beside an input is looked for.
 SWAYS = 2
+# Where such changes leave the domain, as those of float32 leave the matrices within 1e-6 of a rotation, shorter ones
+# are tried: a bound of 16 u comes down to u / 4, which still crosses what a rounding decides.
+NEARER = (1.0, 0.125, 2.0**-6)
 # A logarithm that changes by more than 2**-JUMP of itself over one step has jumped to another branch, or is as
 # sensitive as if it had; then it is continued instead.
 JUMP = 40
@@ -115,14 +118,19 @@ def across(map: Map, inputs: tuple[Array, ...], truth: Truth, reach: float) -> I
     ctx = _context()
     ctx.prec = BASE
     at = _Input(ctx, map, tuple(_numbers(ctx, x) for x in inputs))
-    for moved in _swayed(at, reach):
-        try:
-            outputs = at.outputs_on(moved.outputs())
-        except InputError:
-            continue
-        high, low = _halved(ctx, outputs)
-        if any(np.any(there != here) for there, here in zip(high, truth.high, strict=True)):
-            yield Truth(high, low, truth.sensitivity, None)
+    for shorter in NEARER:
+        refused = False
+        for moved in _swayed(at, reach * shorter):
+            try:
+                outputs = at.outputs_on(moved.outputs())
+            except InputError:
+                refused = True
+                continue
+            high, low = _halved(ctx, outputs)
+            if any(np.any(there != here) for there, here in zip(high, truth.high, strict=True)):
+                yield Truth(high, low, truth.sensitivity, None)
+        if not refused:
+            return
 
 
 @cache

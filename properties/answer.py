@@ -13,6 +13,9 @@ from affinecert.map import Array
 from affinecert.properties.inexact import CTX, Affine, Inexact, determinant, exact, norm, real
 from affinecert.properties.law import BadAnswer
 
+ROUNDINGS = 16 * 2.0**-53
+"""What an entry that is due to be 0 or 1 may be off by: as much as a score allows, and no more than rounding."""
+
 
 @dataclass(frozen=True)
 class Answer:
@@ -33,8 +36,8 @@ class Answer:
 
     @property
     def affine(self) -> Affine:
-        """The affine map that a homogeneous matrix stands for; BadAnswer if its last row is not 0 ... 0 1."""
-        if not np.array_equal(self.array[-1], np.eye(len(self.array))[-1]):
+        """The affine map that a homogeneous matrix stands for; BadAnswer if it does not end in 0 ... 0 1."""
+        if not np.max(np.abs(self.array[-1] - np.eye(len(self.array))[-1])) <= ROUNDINGS:
             raise BadAnswer(f"the last row is {self.array[-1].tolist()}")
         linear = "rotation" if "rotation" in self.parts else "linear"
         return Affine(self[linear], self["translation"])

@@ -12,7 +12,8 @@ import numpy as np
 from affinecert import truths
 from affinecert.answering import complaint
 from affinecert.catalogue import CATALOGUE, find
-from affinecert.map import Array, Block
+from affinecert.manifold import distance
+from affinecert.map import Array, Block, Map
 from affinecert.properties.answer import Answer
 from affinecert.properties.carrying import carried, several
 from affinecert.properties.inexact import CTX, UNIT, exact, norm
@@ -33,10 +34,15 @@ def _single(outputs: tuple[Array, ...]) -> Array | tuple[Array, ...]:
 
 
 def singly(subject: Subject) -> Maps:
-    """The subject's functions, taking and giving single items; OutOfDomain where it refuses one, as documented."""
+    """The subject's functions, taking and giving single items.
 
-    def one(function: Callable[..., Any]) -> Callable[..., Any]:
+    OutOfDomain where it documents to refuse one, or to take one as it is though that is off its manifold.
+    """
+
+    def one(entry: Map, function: Callable[..., Any]) -> Callable[..., Any]:
         def call(*arguments: Array) -> Any:
+            if distance(entry, arguments, subject.policies) > entry.bound * subject.arithmetic.unit:
+                raise OutOfDomain("off the manifold, and taken as it is")
             with warnings.catch_warnings(), np.errstate(all="ignore"):
                 warnings.simplefilter("ignore")
                 try:
@@ -50,7 +56,7 @@ def singly(subject: Subject) -> Maps:
 
         return call
 
-    return {name: one(function) for name, function in subject.maps.items()}
+    return {name: one(CATALOGUE[name], function) for name, function in subject.maps.items() if name in CATALOGUE}
 
 
 def exactly() -> Maps:

@@ -116,3 +116,20 @@ def test_truths_are_those_of_the_rounded_input() -> None:
     due = truths.compute(ENTRY, taken.inputs).high[0]
     ((answer,),) = [nearest(taken.inputs[0].astype(np.float32)[None])]
     assert np.abs(answer - due).max() <= 2.0**-25
+
+
+def on_arc(start: Floats, end: Floats, t: Floats) -> Floats:
+    """Slerp along the arc that the signs give, be it the longer one."""
+    angle = np.arccos(np.sum(start * end, axis=-1))[:, None]
+    t = t[:, None]
+    return np.asarray((np.sin((1 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(angle))
+
+
+@pytest.mark.parametrize(("product", "verdict"), [(1e-9, Verdict.OTHER_BRANCH), (1e-3, Verdict.WRONG)])
+def test_either_arc_between_quaternions_that_are_orthogonal_in_float32(product: float, verdict: Verdict) -> None:
+    start, end = np.array([1.0, 0.0, 0.0, 0.0]), np.array([product, 0.0, 0.6, 0.8])
+    end /= np.linalg.norm(end)
+    tie = Case("quaternion.slerp", "given", (start, end, np.array(0.25)), 0.0, "given")
+    longer = Subject("longer", "1", {"quaternion.slerp": lambda p, q, t: on_arc(p, -q, t)}, dtype="float32")
+    (result,) = replay([tie], longer)
+    assert result.verdict == verdict

@@ -12,8 +12,10 @@ from affinecert.arithmetic import FLOAT32
 from affinecert.case import Case, generate
 from affinecert.catalogue import CATALOGUE
 from affinecert.judging import judge, truths_of
-from affinecert.manifold import AS_IT_IS, distance, slack
-from affinecert.map import Array
+from affinecert.manifold import distance, slack
+from affinecert.map import Argument, Array
+from affinecert.properties.answers import singly
+from affinecert.properties.law import OutOfDomain
 from affinecert.scoring import Answer, Verdict, score
 from affinecert.subject import Subject
 
@@ -35,6 +37,7 @@ def skewed(rotation: Array) -> Array:
 
 
 STRICT = Subject("skewed", "0", {"so3.log": skewed})
+AS_IT_IS = "off the manifold"
 AS_TOLD = replace(STRICT, policies={AS_IT_IS: "documented for rotation matrices"})
 
 
@@ -45,28 +48,38 @@ def verdict(subject: Subject, matrix: Array) -> tuple[str, str]:
 
 
 def test_the_distance_is_relative_and_a_similarity_s_size_is_free() -> None:
-    stretch, small = np.diag([1 + 3e-8, 1.0, 1.0]), 2.0**-40
+    stretch = np.diag([1 + 3e-8, 1.0, 1.0])
     assert distance(LOG, (turn(1.0),)) < 3e-16
     assert distance(LOG, (turn(1.0) @ stretch,)) == pytest.approx(3e-8 / np.sqrt(3), rel=1e-6)
-    for size in (small, 1.0, 1e200):
+    for size in (2.0**-40, 1.0, 1e200):
         pose = np.eye(4)
         pose[:3, :3] = size * turn(1.0)
         assert distance(CATALOGUE["sim3.log"], (pose,)) < 3e-16
     assert distance(CATALOGUE["sam.log"], (2 * np.eye(3),)) == 0.0
     assert distance(LOG, (np.full((3, 3), 1e300),)) == 0.0  # no rotation at all: what is said of it is no matter
+    assert distance(CATALOGUE["sym3.exp"], (np.eye(3) * 7 + np.diag([7e-8, 0], 1),)) == pytest.approx(
+        1e-8 / np.sqrt(6), rel=1e-6
+    )
+
+
+def moved(argument: Argument, array: Array) -> Array:
+    """The array off the argument's manifold by some 1e-8, with the same nearest element."""
+    if argument.manifold == "symmetric matrices":
+        return array + 2.0**-26 * np.max(np.abs(array)) * np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 0]])
+    if argument.manifold:
+        stretch = np.diag([1 + 2.0**-26, 1.0, 1 / (1 + 2.0**-26)])  # of determinant 1: a similarity keeps its size
+        array = array.copy()
+        array[..., :3, :3] = array[..., :3, :3] @ stretch
+    return array
 
 
 @pytest.mark.parametrize("name", NAMED)
 def test_where_the_catalogue_names_a_manifold_the_nearest_of_its_elements_counts(name: str) -> None:
     entry = CATALOGUE[name]
     (case,) = generate(entry, entry.regimes[0], 1)
-    stretch = np.diag([1 + 2.0**-26, 1.0, 1 / (1 + 2.0**-26)])  # of determinant 1: a similarity keeps its size
-    moved = [array.copy() for array in case.inputs]
-    for argument, array in zip(entry.arguments, moved, strict=True):
-        if argument.manifold:
-            array[..., :3, :3] = array[..., :3, :3] @ stretch
-    assert distance(entry, tuple(moved)) > 1e-9
-    here, there = truths.value(entry, case.inputs), truths.value(entry, tuple(moved))
+    inputs = tuple(moved(*pair) for pair in zip(entry.arguments, case.inputs, strict=True))
+    assert distance(entry, inputs) > 1e-9
+    here, there = truths.value(entry, case.inputs), truths.value(entry, inputs)
     for before, after in zip(here.high, there.high, strict=True):
         np.testing.assert_allclose(after, before, rtol=0, atol=1e-13 * np.max(np.abs(before)))
 
@@ -83,6 +96,21 @@ def test_taken_as_it_is_a_matrix_is_scored_at_its_own_accuracy(off: float) -> No
 def test_what_amplifies_the_distance_stays_a_finding() -> None:
     near_pi = turn(np.pi - 1e-6) + 1e-9 * np.outer([1, 2, 0], [1, 0, 1])
     assert verdict(AS_TOLD, near_pi)[0] in {Verdict.DEGRADED, Verdict.WRONG}
+
+
+def test_a_policy_may_speak_of_one_manifold_alone() -> None:
+    matrix = turn(1.0) + 3e-8 * np.outer([1, 2, 0], [1, 0, 1])
+    for kind, due in (("rotations", Verdict.OK), ("symmetric matrices", Verdict.WRONG)):
+        subject = replace(STRICT, policies={f"off the manifold of {kind}": "as it is"})
+        assert verdict(subject, matrix)[0] == due
+
+
+def test_no_law_is_tried_off_the_manifold_on_what_is_taken_as_it_is() -> None:
+    matrix = turn(1.0) + 3e-8 * np.outer([1, 2, 0], [1, 0, 1])
+    assert singly(STRICT)["so3.log"](matrix).shape == (3,)
+    assert singly(AS_TOLD)["so3.log"](turn(1.0)).shape == (3,)
+    with pytest.raises(OutOfDomain, match="taken as it is"):
+        singly(AS_TOLD)["so3.log"](matrix)
 
 
 def test_on_the_manifold_the_policy_changes_nothing() -> None:

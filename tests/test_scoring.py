@@ -12,6 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from affinecert.arithmetic import FLOAT64
+from affinecert.catalogue import CATALOGUE
 from affinecert.map import Argument, Block, Group, Map
 from affinecert.scoring import Answer, Score, Verdict, block_score, length, score
 from affinecert.truths import Truth
@@ -202,6 +203,29 @@ def test_an_imaginary_part_is_an_error_as_any_other(imaginary: float, verdict: V
         assert "imaginary" in result.note or "complex" in result.note
     else:
         assert result.scaled == math.inf
+
+
+@pytest.mark.parametrize(
+    ("map_name", "place", "size"),
+    [("se3.exp", (3, 3), 1.0), ("se3.exp", (3, 0), 1.0), ("shear.exp", (2, 0), 1.0), ("sam.log", (2, 1), 5.0)],
+)
+@pytest.mark.parametrize(("off", "verdict"), [(4, Verdict.OK), (1e4, Verdict.DEGRADED), (2.0**30, Verdict.WRONG)])
+def test_entries_of_no_block_are_what_they_are_due_to_be(
+    map_name: str, place: tuple[int, int], size: float, off: float, verdict: Verdict
+) -> None:
+    entry, side = CATALOGUE[map_name], place[0] + 1
+    value = np.eye(side)
+    if map_name == "sam.log":
+        value = np.zeros((side, side))
+        value[0, 0], value[0, 1] = 3.0, 4.0
+    due = Truth((value,), (np.zeros_like(value),), (0.0,) * len(entry.blocks), None)
+    answer = value.copy()
+    answer[place] += off * FLOAT64.unit * size
+    result = score(entry, Answer((answer,)), due)
+    assert result.verdict is verdict
+    assert result.scaled == pytest.approx(off)
+    assert result.blocks[-1].block == "fixed entries"
+    assert len(score(entry, Answer((value,)), due).blocks) == len(entry.blocks)
 
 
 def test_a_truth_of_zero_wants_zero() -> None:

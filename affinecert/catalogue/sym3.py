@@ -10,7 +10,7 @@ from affinecert.catalogue.times import about_time, timed
 from affinecert.map import Argument, Block, Map
 from affinecert.reference import sym3 as reference
 
-MATRIX = Argument("matrix", (3, 3), (ENTRIES,), "1")
+MATRIX = Argument("matrix", (3, 3), (ENTRIES,), "1", manifold="symmetric matrices")
 
 SYMMETRIC = "within 1e-6 of symmetric, in the Frobenius norm; the symmetric part counts"
 POSITIVE_DEFINITE = f"positive definite, and {SYMMETRIC}"

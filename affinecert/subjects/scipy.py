@@ -114,6 +114,8 @@ subject = Subject(
     },
     policies={
         "not a rotation": "Rotation.from_matrix and RigidTransform.from_matrix orthogonalise what they are given",
+        "off the manifold of similarities": "linalg.expm and logm take each matrix as it is",
+        "off the manifold of symmetric": "linalg.expm, logm and fractional_matrix_power take each matrix as it is",
         "no single fixed point": "linalg.solve warns of an ill-conditioned matrix, and answers",
     },
     refusals=scipy_matrices.REFUSALS,

@@ -53,5 +53,6 @@ subject = Subject(
         **torch_batch.subject.conventions,
         "matrix exponential": "torch.linalg.matrix_exp at the generator that the adapter packs, one by one",
     },
+    policies={"off the manifold of symmetric": "matrix_exp is of general matrices, and takes each as it is"},
     snippets=SNIPPETS,
 )

@@ -177,5 +177,6 @@ subject = Subject(
         "interpolation": "torch.lerp, entry by entry",
         "triangular factor": "torch.linalg.qr of the transpose, axes reversed; the adapter makes the diagonal positive",
     },
+    policies={"off the manifold of symmetric": "matrix_exp is of general matrices, and takes each as it is"},
     snippets=SNIPPETS,
 )

@@ -9,7 +9,7 @@ import numpy as np
 
 from affinecert.map import Array
 from affinecert.properties import strategies
-from affinecert.properties.answer import Answer
+from affinecert.properties.answer import ROUNDINGS, Answer
 from affinecert.properties.answers import Maps, ask_all
 from affinecert.properties.inexact import CTX, Inexact, log_determinant, norm, precisely, ratio
 from affinecert.properties.law import BadAnswer, Law
@@ -61,7 +61,7 @@ def _representation(rigid: Answer, shear: Answer, scale: Answer) -> float:
 
 
 def _tangent(answer: Answer) -> float:
-    if np.any(answer.array[-1] != 0):
+    if not np.max(np.abs(answer.array[-1])) <= ROUNDINGS * np.max(np.abs(answer.array)):
         raise BadAnswer(f"the last row is {answer.array[-1].tolist()}")
     return 0.0
 
