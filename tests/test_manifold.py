@@ -65,7 +65,7 @@ def test_the_distance_is_relative_and_a_similarity_s_size_is_free() -> None:
 def moved(argument: Argument, array: Array) -> Array:
     """The array off the argument's manifold by some 1e-8, with the same nearest element."""
     if argument.manifold == "symmetric matrices":
-        return array + 2.0**-26 * np.max(np.abs(array)) * np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 0]])
+        return np.asarray(array + 2.0**-26 * np.max(np.abs(array)) * np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 0]]))
     if argument.manifold:
         stretch = np.diag([1 + 2.0**-26, 1.0, 1 / (1 + 2.0**-26)])  # of determinant 1: a similarity keeps its size
         array = array.copy()
