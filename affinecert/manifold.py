@@ -17,7 +17,7 @@ from types import MappingProxyType
 import numpy as np
 
 from affinecert.map import Argument, Array, Manifold, Map
-from affinecert.scoring import length
+from affinecert.scoring import length, quotient
 from affinecert.subject import Subject
 from affinecert.truths import Truth
 
@@ -31,12 +31,12 @@ def _from_rotations(matrix: Array) -> float:
 def _from_similarities(matrix: Array) -> float:
     """The distance from the rotations of the 3x3 matrix in the corner, scaled to |R| = |I|."""
     linear = matrix[:3, :3]
-    return _from_rotations(linear * (math.sqrt(3.0) / length(linear)))
+    return _from_rotations(linear * quotient(math.sqrt(3.0), length(linear)))
 
 
 def _from_symmetric(matrix: Array) -> float:
     """|A - A^T| / 2 over |A|."""
-    return length((matrix - matrix.T) / 2) / length(matrix)
+    return quotient(length((matrix - matrix.T) / 2), length(matrix))
 
 
 DISTANCES: Mapping[Manifold, Callable[[Array], float]] = MappingProxyType(

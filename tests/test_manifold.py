@@ -57,6 +57,8 @@ def test_the_distance_is_relative_and_a_similarity_s_size_is_free() -> None:
         assert distance(CATALOGUE["sim3.log"], (pose,)) < 3e-16
     assert distance(CATALOGUE["sam.log"], (2 * np.eye(3),)) == 0.0
     assert distance(LOG, (np.full((3, 3), 1e300),)) == 0.0  # no rotation at all: what is said of it is no matter
+    zero = np.zeros((4, 4))
+    assert distance(CATALOGUE["sim3.log"], (zero,)) == distance(CATALOGUE["sym3.exp"], (zero[:3, :3],)) == 0.0
     assert distance(CATALOGUE["sym3.exp"], (np.eye(3) * 7 + np.diag([7e-8, 0], 1),)) == pytest.approx(
         1e-8 / np.sqrt(6), rel=1e-6
     )
