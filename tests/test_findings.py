@@ -229,11 +229,14 @@ def told_of(library: str) -> tuple[frozenset[str], ...]:
 
 
 @pytest.mark.parametrize("certificate", sorted(CERTIFICATES.glob("*.json")), ids=lambda path: path.stem)
-def test_what_is_graver_than_degraded_is_told(certificate: Path) -> None:
+def test_what_is_graver_than_degraded_and_every_broken_law_is_told(certificate: Path) -> None:
     library = next(path.stem for path in FOLDER.glob("*.md") if certificate.stem.startswith(path.stem))
+    record = json.loads(certificate.read_text(encoding="utf-8"))
+    broken = {law["name"] for law in record["laws"] if law["verdict"] == "failed"}
+    assert broken - frozenset().union(*told_of(library)) == set()
     grave = [
         (row["map"], row["regime"], row["worst"]["verdict"])
-        for row in json.loads(certificate.read_text(encoding="utf-8"))["results"]
+        for row in record["results"]
         if row["worst"] and row["worst"]["verdict"] in {Verdict.WRONG, Verdict.NON_FINITE, Verdict.RAISED}
     ]
     # Of the plane and of space it is mostly the same fault: near-pi-2d and near-pi-3d are told by near-pi as well.

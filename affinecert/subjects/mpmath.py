@@ -238,6 +238,11 @@ subject = Subject(
         "manifolds": "any square matrix is taken; the adapter reads the twist off, and refuses what is no affine map",
     },
     refusals={"an eigenvalue is negative": "logm: 'a logarithm', as it 'is not unique', and there a complex one"},
-    policies={"off the manifold": "expm, logm and powm are of general matrices, and take each as it is"},
+    policies={
+        "not a rotation": "logm is of general matrices",
+        "not a similarity": "logm is of general matrices",
+        "last row must be": "logm is of general matrices",
+        "off the manifold": "expm, logm and powm are of general matrices, and take each as it is",
+    },
     snippets=SNIPPETS,
 )
