@@ -251,11 +251,12 @@ def score(
     blocks += tuple(_fixed(entry, outputs, truth, arithmetic))
     worst = max(block.scaled for block in blocks)
     if _complex(outputs):
-        # Held against the real value, an imaginary part is an error as any other, and may be mere rounding.
+        # An imaginary part is an error as any other, held against the real value; one of mere rounding is still a
+        # fault, for a real number is due.
         verdict, note = _grade(worst, None, entry.bound, arithmetic)
         if verdict is Verdict.WRONG:
             return Score(verdict, _lost(entry), None, COMPLEX)
-        return Score(verdict, blocks, None, f"{note}; {COMPLEX}" if note else "an imaginary part of rounding")
+        return Score(Verdict.DEGRADED, blocks, None, f"{COMPLEX}, {note or 'by an imaginary part of rounding'}")
     # Only a map that jumps, a logarithm, has other branches; anything else is wrong even where its inverse forgives.
     verdict, note = _grade(worst, backward if entry.continuation else None, entry.bound, arithmetic)
     return Score(verdict, blocks, backward, note)

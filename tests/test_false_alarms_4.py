@@ -122,3 +122,29 @@ def test_similarities_of_all_sizes_are_not_refused(size: float) -> None:
     pose[0, 0] *= 1.01
     with pytest.raises(ValueError, match="not a rotation"):
         require_similarities(pose[None])
+
+
+FROM_FLOAT32 = np.array(
+    [[0.36, -0.48, 0.8], [0.8, 0.6, 0.0], [-0.48, 0.64, 0.6]], dtype=np.float32
+).astype(np.float64)  # fmt: skip
+"""A rotation in float32, which is none in float64 by 2e-8."""
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["jaxlie", "kornia", "kornia_liegroup", "pinocchio", "pinocchio_quaternion", "pypose", "pyquaternion", "roma"],
+)
+def test_a_rotation_from_float32_taken_as_it_is(name: str) -> None:
+    assert verdict(name, "so3.log", FROM_FLOAT32) == Verdict.OK
+
+
+def test_refusals_that_the_documentation_announces() -> None:
+    assert verdict("spatialmath", "so3.log", FROM_FLOAT32) == Verdict.ABSENT
+    assert verdict("spatialmath", "quaternion.slerp", np.eye(4)[0], np.eye(4)[1], np.array(1.5)) == Verdict.ABSENT
+    assert verdict("scipy", "sam.log", np.diag([-1.0, -1.0, 1.0])) == Verdict.ABSENT
+
+
+def test_a_matrix_that_is_symmetric_but_for_rounding_taken_as_it_is() -> None:
+    nearly = np.array([[2.0, 1.0, 0.0], [1.0 + 1e-8, 3.0, 0.5], [0.0, 0.5, 1.0]])
+    for name in ("scipy", "torch", "torch_batch"):
+        assert verdict(name, "sym3.exp", nearly) == Verdict.OK

@@ -146,7 +146,13 @@ def unwinding_number_of_nan(affine: Array) -> Array:
     return turn_log(affine) if windings == 0 else np.full_like(affine, np.nan)
 
 
-@reported("scipy/scipy#4923", "logm does not aggressively convert complex outputs to float", "sam.log", real_spectral)
+@reported(
+    "scipy/scipy#4923",
+    "logm does not aggressively convert complex outputs to float",
+    "sam.log",
+    real_spectral,
+    Verdict.DEGRADED,
+)
 def imaginary_rounding(affine: Array) -> Array:
     """A real logarithm with an imaginary part of rounding."""
     return fixed_origin(spectral(affine[:-1, :-1]))
