@@ -20,7 +20,7 @@ MEANINGS: Mapping[Verdict, str] = {
     Verdict.OK: "The scaled error is within the bound; or the input is outside the domain, and was refused.",
     Verdict.OTHER_BRANCH: "Another value of a map that jumps: its inverse, or an input beside this one, tells so.",
     Verdict.ABSENT: "The subject does not offer the map, or documents that it refuses this input.",
-    Verdict.DEGRADED: "The scaled error is beyond the bound, but half of the digits are left; or complex by a rounding.",
+    Verdict.DEGRADED: "The scaled error is beyond the bound, but half of the digits are left; or complex by rounding.",
     Verdict.WRONG: "More than half of the digits are lost; or a silent answer outside the domain.",
     Verdict.NON_FINITE: "NaN or infinity where a number is due.",
     Verdict.RAISED: "An exception, or no answer within the time limit, inside the domain.",
