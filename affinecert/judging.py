@@ -135,10 +135,11 @@ def weigh(entry: Map, inputs: tuple[Array, ...], answer: Answer, truth: Truth, s
     """The score of a subject's answer, with its backward error, which may show that it is right on another branch."""
     due = as_taken(entry, inputs, truth, subject)
     judged = on_another_branch(entry, inputs, answer, due, held_against(entry, answer, due, subject), subject)
-    if judged.verdict in {Verdict.DEGRADED, Verdict.WRONG} and due is truth and truth.refusal is None:
+    if truth.refusal is None and (due is not truth or judged.verdict in {Verdict.DEGRADED, Verdict.WRONG}):
         off = distance(entry, inputs)
         if off > entry.bound * subject.arithmetic.unit:
-            judged = replace(judged, note=f"{judged.note}; the input itself is {off:.1e} off the manifold")
+            told = "the input itself is" if due is truth else "taken as it is, the input being"
+            judged = replace(judged, note="; ".join(filter(None, (judged.note, f"{told} {off:.1e} off the manifold"))))
     return replace(judged, backward=backward_error(entry, answer, truth, subject.arithmetic))
 
 
