@@ -217,18 +217,28 @@ def test_ctrl_c_says_what_is_kept_and_exits_with_130(monkeypatch: pytest.MonkeyP
     assert result.stderr.splitlines()[-1] == "stopped"
 
 
+# As ``python -m affinecert``, but for what a shell hands on to what it runs in the background: that Ctrl-C is ignored.
+HEEDING = """
+import runpy, signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+runpy.run_module("affinecert", run_name="__main__", alter_sys=True)
+"""
+
+
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 @pytest.mark.parametrize("jobs", ["1", "2"])
 def test_a_real_ctrl_c_ends_a_run_at_once(jobs: str, tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "affinecert", "certify", "reference", "--map", "sam.*", "--jobs", jobs]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0)
+    command = [sys.executable, "-c", HEEDING, "certify", "reference", "--map", "sam.*", "--jobs", jobs]
     store = tmp_path / "cache" / "store.sqlite"
     deadline = time.monotonic() + 60
-    while not store.exists() and time.monotonic() < deadline:
-        time.sleep(0.1)
-    time.sleep(1)
-    os.killpg(process.pid, signal.SIGINT)
-    stdout, stderr = process.communicate(timeout=30)
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+    ) as process:
+        while not store.exists() and time.monotonic() < deadline:
+            time.sleep(0.1)
+        time.sleep(1)
+        os.killpg(process.pid, signal.SIGINT)
+        stdout, stderr = process.communicate(timeout=30)
     assert process.returncode == 130
     assert stdout == ""
     assert stderr.splitlines()[-1].startswith("stopped: finished cases are kept")
