@@ -9,43 +9,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from affinecert.case import Case
-from affinecert.errors import SubjectError
-from affinecert.judging import judge, truths_of
 from affinecert.map import Array
 from affinecert.scoring import Verdict
-from affinecert.subject import Subject, load
 from affinecert.subjects.preconditions import require_positive, require_similarities
-
-ACQUITTED = {Verdict.OK, Verdict.OTHER_BRANCH}
+from tests.false_alarms.libraries import ACQUITTED, HALF_TURNS, verdict
 
 QUATERNIONS = tuple(
     f"affinecert.subjects.{name}:subject"
     for name in ("kornia_quaternion", "pytransform3d_quaternions", "spatialmath_quaternion")
 )
 """Subjects that go by quaternions, by their modules."""
-
-
-def installed(name: str) -> Subject:
-    try:
-        return load(name)
-    except SubjectError as error:
-        pytest.skip(str(error))
-
-
-def verdict(name: str, map: str, *inputs: Array) -> str:
-    case = Case(map, "tie", tuple(np.asarray(item, dtype=np.float64) for item in inputs), 0.0, "false alarm")
-    (found,) = judge(installed(name), [case], truths_of([case]))
-    return found.verdict
-
-
-HALF_TURNS = {
-    "x": np.diag([1.0, -1.0, -1.0]),
-    "y": np.diag([-1.0, 1.0, -1.0]),
-    "z": np.diag([-1.0, -1.0, 1.0]),
-    "x minus y": np.array([[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]),
-}
-"""Rotations by pi exactly: as rotation vectors they have two signs."""
 
 
 @pytest.mark.parametrize("name", QUATERNIONS)

@@ -10,14 +10,12 @@ import pytest
 
 from affinecert.case import Case, generate
 from affinecert.catalogue import CATALOGUE
-from affinecert.errors import SubjectError
 from affinecert.judging import judge, truths_of
 from affinecert.map import Array
 from affinecert.scoring import Verdict
-from affinecert.subject import Subject, load
+from affinecert.subject import Subject
 from affinecert.tier import batches
-
-ACQUITTED = {Verdict.OK, Verdict.OTHER_BRANCH}
+from tests.false_alarms.libraries import ACQUITTED, installed
 
 
 def verdict(name: str, inputs: tuple[Any, ...], answer: Any, policies: Mapping[str, str] | None = None) -> str:
@@ -121,13 +119,6 @@ def test_digits_that_an_ill_conditioned_matrix_does_not_determine_are_not_asked_
     assert verdict("sam.log", (np.diag([2.0, 2.0, 1.0]),), np.diag([np.log(2.0)] * 2 + [0]) * (1 + 1e-10)) != Verdict.OK
 
 
-def library(name: str) -> Subject:
-    try:
-        return load(name)
-    except SubjectError as error:
-        pytest.skip(str(error))
-
-
 LIBRARIES = (
     "opencv",
     "pytransform3d",
@@ -156,7 +147,7 @@ LIBRARIES = (
     ],
 )
 def test_libraries_are_acquitted_where_they_are_right(name: str, map: str, regime: str) -> None:
-    entry, subject = CATALOGUE[map], library(name)
+    entry, subject = CATALOGUE[map], installed(name)
     (chosen,) = (candidate for candidate in entry.regimes if candidate.name == regime)
     tried = batches(generate(entry, chosen, 6))
     assert {result.verdict for batch in tried for result in judge(subject, batch, truths_of(batch))} <= ACQUITTED
