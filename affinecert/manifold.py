@@ -16,8 +16,8 @@ from types import MappingProxyType
 
 import numpy as np
 
+from affinecert.magnitude import length, quotient
 from affinecert.map import Argument, Array, Manifold, Map
-from affinecert.scoring import length, quotient
 from affinecert.subject import Subject
 from affinecert.truths import Truth
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -12,6 +11,7 @@ from types import MappingProxyType
 import numpy as np
 
 from affinecert.arithmetic import FLOAT64, Arithmetic
+from affinecert.magnitude import length, quotient
 from affinecert.map import Array, Map
 from affinecert.truths import Truth
 
@@ -76,31 +76,6 @@ class Score:
     def scaled(self) -> float:
         """The worst scaled error over the blocks, in u."""
         return max((block.scaled for block in self.blocks), default=0.0)
-
-
-def length(array: Array) -> float:
-    """The Frobenius norm, without overflow or underflow on the way; at most the largest float64, or infinite.
-
-    It is infinite where an entry is, or is NaN.
-    """
-    if np.iscomplexobj(array):
-        array = np.stack([array.real, array.imag])
-    largest = float(np.max(np.abs(array), initial=0.0))
-    if largest == 0.0:
-        return 0.0
-    if not math.isfinite(largest):
-        return math.inf
-    exponent = math.frexp(largest)[1]
-    with np.errstate(over="ignore", under="ignore"):
-        norm = np.ldexp(np.linalg.norm(np.ldexp(array, -exponent)), exponent)
-    return min(float(norm), sys.float_info.max)
-
-
-def quotient(numerator: float, denominator: float) -> float:
-    """The ratio of two non-negative numbers; 0/0 is 0, anything else over 0 infinite, and infinity over anything."""
-    if numerator in {0.0, math.inf}:
-        return numerator
-    return numerator / denominator if denominator > 0.0 else math.inf
 
 
 def block_score(

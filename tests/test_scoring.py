@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from affinecert.arithmetic import FLOAT64
 from affinecert.catalogue import CATALOGUE
+from affinecert.magnitude import length
 from affinecert.map import Argument, Block, Group, Map
-from affinecert.scoring import Answer, Score, Verdict, block_score, length, score
+from affinecert.scoring import Answer, Score, Verdict, block_score, score
 from affinecert.truths import Truth
 
 ENTRY = Map(
