@@ -61,7 +61,9 @@ def commit(root: Path, revision: str) -> str:
 def export(root: Path, revision: str, target: Path) -> Path:
     """The files of a revision, written below ``target``."""
     with tarfile.open(fileobj=io.BytesIO(git(root, "archive", "--format=tar", revision))) as archive:
-        archive.extractall(target, filter="data")
+        # Pythons before 3.11.4 have no filters, and need none for what Git itself packs.
+        archive.extraction_filter = getattr(tarfile, "data_filter", None)
+        archive.extractall(target)
     return target
 
 
