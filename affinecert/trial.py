@@ -16,7 +16,7 @@ from affinecert.case import Case, generate, rounded
 from affinecert.errors import InputError, PrecisionError
 from affinecert.judging import as_taken, held_against, on_another_branch
 from affinecert.map import Map
-from affinecert.scoring import Score, Verdict
+from affinecert.scoring import COMPLEX, Score, Verdict
 from affinecert.store import Store, reference_version
 from affinecert.subject import Subject
 from affinecert.truths import Truth
@@ -68,7 +68,8 @@ class Trial:
             first = held_against(self.entry, answer, due, self.subject)
             if value.refusal is not None or height(first) < floor:
                 return None
-            if math.isinf(first.scaled):
+            # Whether a complex answer is off by more than rounding, the sensitivity tells.
+            if math.isinf(first.scaled) and first.note != COMPLEX:
                 return first
             truth = truths.compute(self.entry, case.inputs)
         if truth.refusal is not None:
